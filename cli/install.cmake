@@ -1,5 +1,4 @@
-# `cmake --install BUILD [--prefix DIR]` installs the program, which finds its scenes relative to its own path. `cpack`
-# in the build folder makes a Debian package.
+# `cmake --install BUILD [--prefix DIR]` installs the program. `cpack` in the build folder makes a Debian package.
 
 # A program in a build folder uses the scenes of the sources.
 foreach(folder ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/tests)
@@ -16,7 +15,6 @@ foreach(room . engine render cli scenes scenes/gallery scenes/papers scenes/pape
   install(FILES ${texts} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${room})
 endforeach()
 
-# Completion scripts, JSON Schemas and, with help2man, a manual page for each command.
 set(words ${CMAKE_CURRENT_BINARY_DIR}/words)
 add_custom_command(OUTPUT ${words}/done
   COMMAND ${CMAKE_CURRENT_LIST_DIR}/words $<TARGET_FILE:taut> ${words}

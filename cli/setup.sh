@@ -4,13 +4,13 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev li
                 libmuparser-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libfreetype-dev fonts-dejavu-core zlib1g-dev
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev libqhull-dev libjs-chart.js libwebp-dev
                 libassimp-dev gnuplot-nox librsvg2-bin)
-# libegl-dev to libgl1-mesa-dri: for a second OpenGL context; chromium to python3-selenium: for tests in a browser
+# libegl-dev to libgl1-mesa-dri: second OpenGL context; chromium to python3-selenium: tests in a browser
 test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-dev libegl-dev libopengl-dev
                libgl1-mesa-dri chromium chromium-driver python3-selenium)
 
 fail() { echo "$0: $*" >&2; exit 1; }
 
-# Prints the packages of "$@" that are not installed, one per line.
+# Prints a package per line.
 missing_packages() {
   local installed
   installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null |

@@ -11,7 +11,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Invalid scene. `key` is the dotted path of the wrong value ("body.left.velocity").
+/// `key`: dotted path of the wrong value ("body.left.velocity").
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string key, const std::string& what) : SceneError("", 0, 0, std::move(key), what) {}

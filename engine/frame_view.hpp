@@ -11,7 +11,7 @@ struct WallFace {
   std::array<double, 3> at{}, normal{};  // m; unit vector towards bodies
 };
 
-/// Input of a renderer. The caller owns the arrays.
+/// Input of a renderer.
 struct FrameView {
   int dim = 2;
   double time = 0;                   // s
@@ -25,7 +25,7 @@ struct FrameView {
   std::span<const double> outline, undeformed;  // 2D: four coordinates per segment, m
   std::span<const WallFace> walls;
   std::string_view field;  // "von Mises stress"
-  std::string_view unit;   // "Pa"
+  std::string_view unit;
   std::string_view title;
   std::string_view method;
 };

@@ -14,10 +14,9 @@ enum class Stepping { dual, single };
 /// Greatest instruction set to use; all produce identical bytes.
 enum class InstructionSet { baseline, x86_64_v3, x86_64_v4 };
 
-/// Settings of a run.
 struct Settings {
   std::string method{default_method};
-  std::map<std::string, double> constants;  // by name; others take their defaults
+  std::map<std::string, double> constants;  // by name
   std::string law;                          // of MethodInfo::laws; empty = the first
   Stepping stepping = Stepping::dual;
   // CFL number, based on h (oenog: on dp; fe1, fe2: time step / stability limit); 0 = the method's default

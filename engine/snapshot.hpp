@@ -35,7 +35,7 @@ struct Snapshot {
   double work = 0;                    // of drives, loads and gravity since the start, J
   std::vector<double> body_work;      // [body] J
   double damped = 0;                  // energy lost to Scene::damping since the start, J
-  Impulse of_walls;                   // impulse of the walls on the particles since the start
+  Impulse of_walls;                   // on the particles since the start
   std::vector<double> diameter;       // as drawn: V0^(1/dim), m
   std::vector<int> body;
   std::vector<int> material;

@@ -5,7 +5,7 @@
 namespace taut {
 namespace {
 
-/// Interpolates into `after`. Equal values stay bit-identical.
+/// Equal values stay bit-identical.
 void move_back(std::span<double> after, std::span<const double> before, double share) {
   for (std::size_t k = 0; k < after.size(); ++k) after[k] = before[k] + share * (after[k] - before[k]);
 }

@@ -4,8 +4,8 @@
 
 namespace taut {
 
-/// Interpolates a run at time `t` between two successive steps. Positions follow the parabola through both steps with
-/// the mean acceleration of the step; other fields vary linearly. Requires that v lags x by the same time at both steps.
+/// Interpolates between two successive steps. Positions follow the parabola through both steps with the mean
+/// acceleration of the step; other fields vary linearly. Requires that v lags x by the same time at both steps.
 Snapshot blend(const Snapshot& before, const Snapshot& after, double t);
 
 }  // namespace taut

@@ -5,8 +5,8 @@
 namespace taut {
 
 struct TermInfo {
-  std::string_view what;      // "stress rate"
-  std::string_view formula;   // in Unicode
+  std::string_view what;  // "stress rate"
+  std::string_view formula;
   std::string_view source;    // "[Khayyer2024] Eq. 6"
   std::string_view function;  // "terms/stress_rate.hpp:jaumann_rate"
   std::string_view test;

@@ -36,7 +36,6 @@ void warn_about_masses(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
-/// In a closed scene, speeds are relative to the common motion.
 void warn_about_speeds(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   const auto dim = static_cast<std::size_t>(start.dim);
   Point common{};  // m/s
@@ -111,7 +110,7 @@ struct LatticeCells {
   }
 };
 
-/// Fills a cell if any cell up to `reach` away along the axis is filled; with `all`, only if all of them are.
+/// Fills a cell if any cell up to `reach` away along the axis is filled; with `all`, only if all are.
 LatticeCells along_axis(const LatticeCells& cells, std::size_t axis, int reach, bool all) {
   LatticeCells result = cells;
   std::array<int, 3> cell{};
@@ -164,7 +163,7 @@ std::optional<LatticeBody> on_lattice(const Snapshot& start, std::span<const std
   return body;
 }
 
-/// Warns of thin parts: particles neither in nor beside a block of 3 × 3 (× 3) particles.
+/// Thin parts: particles neither in nor beside a block of 3 × 3 (× 3) particles.
 void warn_about_thin_parts(std::vector<std::string>& warnings, const Scene& scene, const Snapshot& start) {
   constexpr int around = 2;  // from the middle of a block: 1 inside it, 1 for lattice steps of round faces
   const auto dim = static_cast<std::size_t>(start.dim);

@@ -10,11 +10,9 @@
 /// Warnings of one sentence each, without a full stop.
 namespace taut {
 
-/// Warns of `reaction` and `contact_force` probes if the method or its constants do not conserve linear momentum;
-/// otherwise returns "".
+/// Warns of force probes if the method or its constants do not conserve linear momentum; otherwise returns "".
 std::string warning_about_reactions(const Scene& scene, const MethodInfo& method, const Settings& settings);
 
-/// Warnings about a scene and its initial state.
 std::vector<std::string> warnings_at_start(const Scene& scene, const MethodInfo& method,
                                            const Simulation& simulation);
 

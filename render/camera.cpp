@@ -30,7 +30,7 @@ Vector cross(const Vector& a, const Vector& b) {
 CameraAxes axes_of(const Camera& camera) {
   CameraAxes axes;
   axes.back = normalised(camera.from);
-  constexpr double least_angle = 1e-6;  // rad; below it, `up` counts as parallel to `from`
+  constexpr double least_angle = 1e-6;  // rad; below, `up` counts as parallel
   for (const Vector& up : {camera.up, Vector{0, 1, 0}, Vector{1, 0, 0}}) {
     const Vector right = cross(normalised(up), axes.back);
     if (!(std::sqrt(dot(right, right)) > least_angle)) continue;

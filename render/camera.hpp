@@ -8,7 +8,7 @@ namespace taut::render {
 
 using Vector = std::array<double, 3>;
 
-/// Viewpoint in 3D. A View then lies in the picture plane, relative to the scene's origin.
+/// In 3D, a View lies in the picture plane, relative to the scene's origin.
 struct Camera {
   Vector from = {1, -2, 1};  // towards the camera, any length
   Vector up = {0, 0, 1};     // replaced by y or x if parallel to `from`
@@ -17,15 +17,15 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-inline constexpr double greatest_field_of_view = 120;  // degrees
+inline constexpr double greatest_field_of_view = 120;
 
-/// Directions right and up in the picture, and towards the camera.
+/// `back`: towards the camera.
 struct CameraAxes {
   Vector right, up, back;
 };
 
 CameraAxes axes_of(const Camera& camera);
-/// Rotates the camera by angles in degrees: to the right around `up`, then upwards.
+/// Angles in degrees: to the right around `up`, then upwards.
 Camera orbited(const Camera& camera, double right, double upwards);
 AxesMarker marker_of(const Camera& camera);
 

@@ -24,7 +24,7 @@ std::optional<Range> range_of(const Look& look) {
   return look.categories.empty() ? std::optional(widened(*look.range)) : std::nullopt;
 }
 
-/// If the range contains `look.middle`, a diverging map is neutral there and equally strong at equal distances from it.
+/// If the range contains `look.middle`, a diverging map is symmetric about it.
 std::array<Rgb, 256> colors_of(const Look& look, const Range& range) {
   const double below = look.middle - range.low, above = range.high - look.middle;
   if (!look.colormap->diverging || !(below > 0 && above > 0)) return look.colormap->table();

@@ -25,7 +25,7 @@ struct Colormap {
   std::array<Rgb, 256> table(double from = 0, double to = 1) const;
 };
 
-/// Colours for colour-blind readers. Colours 8 to 15 are darker; then all 16 repeat.
+/// Colours 8 to 15 are darker; then all 16 repeat.
 Rgb category_color(std::size_t k);
 
 std::span<const Colormap> colormaps();

@@ -35,7 +35,7 @@ Colors blended(const Colors& over, const Colors& under, const Ints& alpha) {
   return reinterpret_cast<Colors>(even | (odd & 0xff00));
 }
 
-/// One row of a disc; lengths in samples.
+/// Lengths in samples.
 struct DiscRow {
   float dy2;  // squared distance from the centre
   float reach;

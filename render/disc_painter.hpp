@@ -39,7 +39,7 @@ class DiscPainter {
   Rect plot_;
   std::uint32_t background_;  // bytes B, G, R, 255, or 0
   int bands_, tiles_;
-  std::size_t stride_;              // between rows
+  std::size_t stride_;
   std::vector<std::uint32_t> end_;  // 0, then each band's end in `sorted_`
   std::vector<std::uint32_t> sorted_;
   std::vector<std::uint32_t> color_;  // samples of a band; bytes B, G, R, opacity

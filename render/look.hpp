@@ -34,16 +34,16 @@ struct Look {
   std::optional<Camera> camera{};  // 3D
   std::optional<Range> range;      // values outside are clamped
   const Colormap* colormap = nullptr;
-  double middle = 0;                  // value at the middle of a diverging map
-  std::string unit{};                 // of values
-  std::optional<Size> size = Size{};  // least_size to greatest_size
-  bool bare = false;                  // no texts
+  double middle = 0;  // value at the middle of a diverging map
+  std::string unit{};
+  std::optional<Size> size = Size{};
+  bool bare = false;  // no texts
   PageTexts texts{};
   NumberFormat bar_format{};
   double glyph = 1;
   Rgb background = white;  // texts contrast with it
   bool transparent = false;
-  /// If not empty, values are indices of categories, and a legend replaces the bar.
+  /// If not empty, values are indices of categories.
   std::vector<std::string> categories{};
 };
 

@@ -29,7 +29,7 @@ constexpr double footer = 2.3;
 constexpr double least_bar = 13;
 constexpr double note_size = 0.94;
 constexpr double corner_gap = 0.4;
-constexpr double frame_gray = 0.85;  // gray level, see Canvas
+constexpr double frame_gray = 0.85;  // see Canvas
 
 // Defaults in pixels.
 constexpr double own_font = 16;
@@ -81,7 +81,7 @@ bool same_colors(const PanelBlock& a, const PanelBlock& b) {
          a.look.bar_format == b.look.bar_format;
 }
 
-/// Grid with margins, whose cells have no size yet.
+/// Cells have no size yet.
 Grid empty_grid(const PanelOptions& options, double em) {
   Grid grid;
   grid.em = em;
@@ -288,7 +288,6 @@ void Panel::Parts::draw_row_labels() {
   }
 }
 
-/// Draws one key for consecutive blocks with equal colours.
 void Panel::Parts::draw_keys() {
   const PageTexts& texts = options.look.texts;
   const int gap_of_key = pixels(margin * grid.em);
@@ -314,7 +313,6 @@ void Panel::Parts::draw_keys() {
   }
 }
 
-/// Consecutive blocks share a scale bar if scale and camera are equal, and axes if the cameras are equal.
 void Panel::Parts::draw_scales() {
   const TextParts& shown = options.look.texts.parts;
   for (int k = 0; k < grid.blocks; ++k) {

@@ -11,7 +11,6 @@
 
 namespace taut::render {
 
-/// Title in bold, note in gray below.
 struct Heading {
   std::string title, note;
 };
@@ -27,14 +26,14 @@ struct PanelOptions : PanelBlock {
       beside{};  // the same columns with other looks, whose size, texts and background are ignored
   std::string title, note;
   std::vector<Heading> columns;   // of each block
-  std::vector<std::string> rows;  // labels, such as "t = 3 ms"
+  std::vector<std::string> rows;  // labels
   int width = 0;                  // of a panel without a size, pixels; 0: legible at 1:1
 };
 
 class Panel {
  public:
-  /// The looks must be complete except for the size. Throws UsageError if the panel would be too large, or too small for
-  /// its pictures. Consecutive blocks with equal colours share a bar or legend.
+  /// The looks must be complete except for the size. Throws UsageError if the panel is too large, or too small for its
+  /// pictures. Consecutive blocks with equal colours share a bar or legend.
   explicit Panel(const PanelOptions& options);
   ~Panel();
 

@@ -14,14 +14,14 @@ struct OffScale;
 
 class Renderer {
  public:
-  /// The look must be complete, see Look. `until` (last time, s) sets the unit of all times; if 0, each time has
-  /// its own unit. Throws UsageError for values out of bounds, OutputError without the font.
+  /// The look must be complete. `until` (last time, s) sets the unit of all times; if 0, each time has its own unit.
+  /// Throws UsageError for values out of bounds, OutputError without the font.
   explicit Renderer(const Look& look, double until = 0);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Moves camera and view; `view` must have the size of the look's view.
+  /// `view` must have the size of the look's view.
   void look_from(const Camera& camera, const View& view);
 
   /// The image is valid until the next call. Equal frames give equal bytes. Omits particles whose

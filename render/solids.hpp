@@ -22,7 +22,7 @@ class Solids {
                    std::span<const std::uint32_t> colors);
   void place_boxes(const FrameView& frame, const Projection& projection,
                    std::span<const std::uint32_t> colors);
-  /// Adds grid lines; particles in front hide them.
+  /// Adds grid lines.
   void place_walls(const FrameView& frame, const Projection& projection, std::uint32_t color);
   /// Loose particles become balls. `places`: `SurfaceCorner::place` of each point; if `uniform`, a triangle takes the
   /// place of its first point. No `projection` in 2D.
@@ -54,7 +54,7 @@ class Solids {
   Cover cover_;
 };
 
-/// Radius in pixels with which a disc or ball is drawn. Small radii grow, since gaps narrower than a pixel cause moiré.
+/// In pixels. Small radii grow, since gaps narrower than a pixel cause moiré.
 double drawn_radius(double radius);
 
 }  // namespace taut::render

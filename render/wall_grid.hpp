@@ -9,8 +9,8 @@
 
 namespace taut::render {
 
-/// Grid lines, `cell` (in m) apart, on the face of a 3D wall, as pairs of end points in m. The grid is fixed to the wall
-/// and extends around the points.
+/// Grid lines, `cell` (in m) apart, on the face of a 3D wall, as pairs of end points in m. The grid is fixed to the
+/// wall and extends around the points.
 std::vector<std::pair<Vector, Vector>> grid_on(const WallFace& wall, std::span<const Vector> points,
                                                double cell);
 

@@ -21,7 +21,6 @@ const CLI::Option* greedy_option(const CLI::App& app) {
   return nullptr;
 }
 
-/// Replaces some messages of CLI11.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& e) {
   const std::string text = e.what();
   if (const CLI::Option* taker = greedy_option(app); taker && dynamic_cast<const CLI::RequiredError*>(&e))

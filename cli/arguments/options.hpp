@@ -62,7 +62,7 @@ class Options {
   Option add(std::string_view name, std::string_view placeholder,
              const std::function<void(const std::vector<std::string>&)>& take, std::string_view help);
   Option add_flag(std::string_view name, bool& target, std::string_view help);
-  /// Declares --name, --name WORD or --name=WORD. `target` becomes WORD, by default the first of `words`.
+  /// Declares --name, --name WORD or --name=WORD. Default of WORD: the first of `words`.
   Option add_flag(std::string_view name, const std::vector<std::string>& words, std::string& target,
                   std::string_view help);
   template <class Target>
@@ -74,7 +74,7 @@ class Options {
   std::string help() const;
   /// Returns false for --help. Throws UsageError.
   bool read(const std::vector<std::string>& words);
-  /// Joins flags and their words as "--name=WORD".
+  /// Joins flags and words as "--name=WORD".
   std::vector<std::string> joined(const std::vector<std::string>& words) const;
 
  private:

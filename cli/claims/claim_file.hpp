@@ -21,21 +21,19 @@ struct Claim {
   std::filesystem::path file;
   std::string paper, key;         // "Zhang2024", "fig-3a"
   std::string place, text;        // "Fig. 3(a)", the statement
-  std::string published, looser;  // may be empty; `looser`: how the criterion is weaker
+  std::string published, looser;  // may be empty; `looser`: weakening of the criterion
   std::string scene;              // path
   bool quick = true;              // repeated by the tests
   std::vector<ClaimRun> runs;
   std::string criterion;
   std::string part, evidence;  // may be empty
   ClaimState state = ClaimState::holds;
-  std::string reason;    // why the state is not `holds`
+  std::string reason;
   std::string last_run;  // date, may have a remark
 
-  /// "Zhang2024.fig-3a".
   std::string name() const { return paper + "." + key; }
 };
 
-/// Content of a claim file.
 struct Paper {
   std::filesystem::path file;
   std::string key, title;

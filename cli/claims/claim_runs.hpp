@@ -20,7 +20,7 @@ struct PlannedClaim {
 std::vector<PlannedClaim> plan_claims(const std::vector<const Claim*>& claims,
                                       const std::filesystem::path& folder);
 
-/// Unfinished runs, each folder once.
+/// Each folder once.
 std::vector<SweepRun*> unfinished_runs(std::vector<PlannedClaim>& claims);
 
 struct ClaimOutcome {

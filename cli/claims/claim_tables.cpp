@@ -45,7 +45,7 @@ std::string quoted(const std::string& text) {
   return text.find_first_of(" *()<>&|\"$") == std::string::npos ? text : fmt::format("'{}'", text);
 }
 
-/// The name by which `taut run` finds this scene file, else its path.
+/// Scene name for `taut run`, else the path.
 std::string name_or_path(const std::string& scene) {
   const std::vector<std::string> names = scene_names();
   const std::string stem = std::filesystem::path(scene).stem().string();

@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// `columns`: width of the text, in characters; none: unlimited.
+/// `columns`: width in characters; none: unlimited.
 std::string list_of_claims(const std::vector<const Claim*>& claims, std::optional<std::size_t> columns);
 std::string claim_text(const Claim& claim, std::size_t columns);
 std::string table_of_outcomes(const std::vector<ClaimOutcome>& outcomes, std::optional<std::size_t> columns);

@@ -56,7 +56,7 @@ double result_of(const std::string& criterion, const std::map<std::string, doubl
   }
 }
 
-/// "since.fractured" → "fractured" for the kind "since", else "".
+/// "since.fractured" → "fractured" for "since", else "".
 std::string behind(const std::string& path, const std::string& kind) {
   return path.starts_with(kind + ".") ? path.substr(kind.size() + 1) : "";
 }

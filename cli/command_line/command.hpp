@@ -13,7 +13,7 @@ struct Command {
   std::string_view name;
   std::string_view summary;
   std::string_view examples;
-  /// Declares options; the returned function runs the command and returns the exit code.
+  /// The returned function runs the command and returns the exit code.
   std::function<int(Streams)> (*declare)(Options& options);
 };
 

@@ -131,7 +131,7 @@ Completion complete_name(std::span<const Command> commands) {
   return completion;
 }
 
-/// Returns false for words with special characters, which Bash could execute.
+/// False for special characters, which Bash could execute.
 bool is_plain(const std::string& word) {
   return std::ranges::none_of(word, [](unsigned char c) {
     return c <= ' ' ||

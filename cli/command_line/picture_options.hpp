@@ -11,7 +11,7 @@ struct PictureOptions {
   std::vector<std::string> results;
   std::string out;
 
-  /// `formats`: such as "chart.png|chart.svg".
+  /// `formats`: "chart.png|chart.svg".
   void declare(Options& command, const std::string& formats, bool needed = true) {
     command
         .add_argument("RESULTS.csv", results,

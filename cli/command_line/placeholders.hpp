@@ -10,11 +10,11 @@ namespace taut::cli {
 
 struct Choices {
   std::vector<std::string> words;
-  // pattern of files that also fit, such as "*.toml"; "*/": only folders; "": none
+  // pattern of files that also fit; "*/": only folders; "": none
   std::string files;
 };
 
-/// Candidates for a placeholder such as "FIELD,..."; they need not begin with `typed`. `scene` may be nullptr.
+/// Candidates for a placeholder; they need not begin with `typed`. `scene` may be nullptr.
 Choices choices(std::string_view placeholder, const std::string& typed, const SceneFile* scene);
 
 }  // namespace taut::cli

@@ -40,7 +40,7 @@ double share(const std::string& text) {
   return percents ? *value / 100 : *value;
 }
 
-/// Paths of results.csv files of `scene` within three levels of folders below out/.
+/// results.csv files of `scene`, at most three levels below out/.
 std::vector<std::string> stored_results(const std::string& scene) {
   constexpr int deepest = 3;
   std::vector<std::string> files;
@@ -75,7 +75,7 @@ bool is_same(const std::string& a, const std::string& b) {
   return x && y ? std::abs(*x - *y) <= 1e-9 * std::abs(*y) : a == b;
 }
 
-/// Removes runs with other scene settings than `file`. Returns the settings that excluded runs.
+/// Removes runs with other scene settings. Returns the settings that excluded runs.
 std::string keep_matching_runs(const SceneFile& file, StoredResults& results) {
   std::vector<std::string> others;
   for (const std::string& name : names_of_scene(results.runs)) {

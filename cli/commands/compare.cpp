@@ -45,7 +45,7 @@ struct Column {
   std::vector<PanelCell> cells;
 };
 
-/// Columns with the same drawing, one per run.
+/// One column per run.
 struct Block {
   Drawing drawing;
   bool bounded = false;  // limited to the view of the scenes
@@ -114,7 +114,6 @@ void check_followed_body(const Drawing& drawing, const std::vector<SavedRun>& ru
   }
 }
 
-/// Whether the view of the scene limits the picture.
 bool is_bounded(const Drawing& drawing, bool has_chosen_view) {
   return !has_chosen_view && !drawing.look.view && !drawing.look.camera && !drawing.followed;
 }
@@ -129,7 +128,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// "color=pressure; range=0:1e6". `color` comes first because it resets range and map.
+/// `color` comes first because it resets range and map.
 std::vector<Change> changes_in(const std::string& beside) {
   std::vector<Change> changes;
   std::istringstream parts(beside);

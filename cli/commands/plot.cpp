@@ -59,7 +59,7 @@ bool contains_file(const std::string& folder, const char* name) {
   return fs::symlink_status(fs::path(folder) / name, error).type() > fs::file_type::not_found;
 }
 
-/// DIR/* names the table of a sweep and its runs; the table is then ignored.
+/// DIR/* names a sweep's table and its runs; the table is then ignored.
 PlotPaths sorted_paths(const std::vector<std::string>& given) {
   PlotPaths paths;
   const auto is_beside = [](const fs::path& table) {
@@ -121,7 +121,6 @@ std::vector<std::string> default_columns(const Scene& scene) {
 
 using UnitOf = std::string (*)(const std::string& name, const Scene& scene);
 
-/// Missing columns are reported later.
 void refuse_two_units(const std::string& column, UnitOf unit_of, const StoredRun& run, const Scene& scene,
                       const StoredRun& first, const Scene& of_first) {
   const std::string unit = unit_of(column, scene), before = unit_of(column, of_first);
@@ -144,7 +143,7 @@ void add_titles(StoredResults& results, const std::vector<SceneFile>& scenes) {
     }
 }
 
-/// Panels such as "a+b": names of columns, and their indices in each panel.
+/// Panels such as "a+b".
 struct JoinedColumns {
   std::vector<std::string> names;
   std::vector<std::vector<std::size_t>> panels;

@@ -84,7 +84,7 @@ LockedPlan planned(const RunArguments& options, std::ostream& err) {
     if (options.scene.empty()) throw UsageError("SCENE is required; see `taut run --help`");
     all.plan = make_plan(options);
     all.lock = lock(all.plan.folder.path());
-    all.plan.folder.check();  // the folder may have changed before it was locked
+    all.plan.folder.check();  // the folder may have changed
     if (!options.force) refuse_to_lose(all.plan.folder);
     return all;
   }

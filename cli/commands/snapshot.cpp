@@ -155,7 +155,7 @@ std::optional<fs::path> suite_of(const std::string& what) {
   if (fs::exists(what, error)) return std::nullopt;
   const std::optional<fs::path> suite = shipped_suite(what);
   if (!suite) return std::nullopt;
-  const std::vector<std::string> scenes = scene_names();  // scenes have priority
+  const std::vector<std::string> scenes = scene_names();
   return std::ranges::find(scenes, what) == scenes.end() ? suite : std::nullopt;
 }
 

@@ -85,7 +85,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   for (SweepRun& of_row : plan.runs)
     for (SweepRun* run : of_row.all()) {
       if (o.index && run->index != *o.index) continue;
-      run->read_folder();  // another process may have changed it before the lock
+      run->read_folder();  // another process may have changed it
       if (run->state == SweepRunState::damaged)
         err << "taut: run " << run->index << " (" << text_of(run->settings)
             << "): " << RunFolder(*run->options.out).record().string()

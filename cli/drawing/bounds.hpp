@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Range and view of a sequence of frames; ignores NaN and magnitudes from 1e100.
+/// Range and view of several frames; ignores NaN and magnitudes from 1e100.
 class SequenceBounds {
  public:
   explicit SequenceBounds(const std::optional<render::Camera>& camera = {});
@@ -20,12 +20,12 @@ class SequenceBounds {
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Leaves out outliers: at each end at most 1 % of the values beyond ±`round_off`. Never empty; symmetric about
-  /// `middle`, if given.
+  /// Leaves out at each end at most 1 % of the values beyond ±`round_off`. Never empty; symmetric about `middle`, if
+  /// given.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;
-  /// View centred at the origin, 1.5 times as large as needed.
+  /// 1.5 times as large as needed.
   render::View view_about_origin() const;
   /// View that contains all particles from every direction.
   struct Orbit {
@@ -41,13 +41,13 @@ class SequenceBounds {
     double low = 1e300, high = -1e300;
     void add(double value, double margin = 0);
   };
-  Interval values_, x_, y_, z_;  // positions: along the axes of the camera, if any
-  std::vector<double> sample_;   // every `stride_`-th value
+  Interval values_, x_, y_, z_;  // positions: along the camera's axes, if any
+  std::vector<double> sample_;
   std::size_t stride_ = 1, seen_ = 0;
   std::optional<render::CameraAxes> axes_;
 };
 
-/// Completes the look for the values and positions in `shown`.
+/// Completes the look.
 Drawing fitted(Drawing drawing, const SequenceBounds& shown);
 
 }  // namespace taut::cli

@@ -23,7 +23,6 @@ enum class Style : std::uint8_t { discs, spheres, cells, surface };
 enum class Outlines : std::uint8_t { none, deformed, undeformed, both };
 
 struct ColorFormula {
-  /// Current and reference coordinates.
   static constexpr std::array<const char*, 6> places{"x", "y", "z", "X", "Y", "Z"};
   using Function = std::function<double(const std::vector<double>&, double t)>;
 
@@ -35,7 +34,7 @@ struct ColorFormula {
                              std::span<const double> x, std::span<const double> x0, double time) const;
 };
 
-/// `look` may be incomplete; fitted() of bounds.hpp completes it.
+/// `look` may be incomplete; see fitted().
 struct Drawing {
   const Field* field = find_field("von_mises");
   render::Look look{};
@@ -78,7 +77,7 @@ std::vector<double> color_values(const Drawing& drawing, const Snapshot& snapsho
 
 std::vector<std::string> names_of_fields();
 std::vector<std::string> names_of_fields(int dim);
-/// Throws UsageError if there is no such field in `dim` dimensions.
+/// Throws UsageError for an unknown field.
 const Field& known_field(const std::string& key, int dim = 3);
 
 }  // namespace taut::cli

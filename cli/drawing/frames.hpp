@@ -38,7 +38,7 @@ render::Image draw_picture(const Drawing& drawing, const Captions& captions, con
 /// "taut: …" with end of line; empty if all texts fit.
 std::string remark_on_texts(const std::set<std::string>& cut);
 
-/// Draws frames as they are added if colours and view are fixed, else in `draw_kept`. Writes files in order.
+/// Draws added frames immediately if colours and view are fixed, else in `draw_kept`. Writes files in order.
 class Frames {
  public:
   static constexpr double memory_of_pictures = 1e9;  // bytes
@@ -50,7 +50,7 @@ class Frames {
   void add(const Snapshot& snapshot);
   /// Requires all particles of the run.
   void add(const FrameView& particles);
-  /// File numbers, ascending; default: 0, 1, …
+  /// Ascending; default: 0, 1, …
   void number_files(std::vector<int> numbers) { file_numbers_ = std::move(numbers); }
   bool draw_kept(const std::function<bool(int drawn)>& go_on);
   /// Waits for pending frames. Rethrows the first error of the drawing threads.
@@ -61,7 +61,7 @@ class Frames {
   /// Fitted once the first frame is drawn.
   const Drawing& drawing() const { return drawing_; }
 
-  /// Texts that lack room in the pictures. Call after `finish`.
+  /// Texts without room in the pictures. Call after `finish`.
   std::set<std::string> cut_texts() const;
   /// Requires that no frame is pending.
   template <class Archive>
@@ -82,7 +82,7 @@ class Frames {
   }
 
  private:
-  /// In double precision, because particles can be far from the origin.
+  /// In double precision: particles can be far from the origin.
   struct Kept {
     double time;   // s
     Point origin;  // m

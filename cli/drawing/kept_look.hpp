@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// Colour range and view of a baseline, stored in look.json.
+/// Stored in look.json of a baseline.
 struct KeptLook {
   std::string color;                   // key, or "=EXPRESSION"
   std::optional<render::Range> range;  // none: bodies or materials

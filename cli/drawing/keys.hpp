@@ -41,14 +41,14 @@ struct DrawingKey {
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   };
 
-  std::string_view name;         // "font_size"
+  std::string_view name;
   std::string_view placeholder;  // ends in "|auto" if "auto" can be typed
   std::string_view help;
   std::string_view session_help = {};  // empty: no session command
   bool allows_auto = false;            // in scene files
   bool counts_frames = false;
   Words words = {};
-  bool is_free_text = false;  // not limited to a list of words
+  bool is_free_text = false;
   std::string_view pattern = {};
   Numbers numbers = {};
   /// Returns an error message, or "".
@@ -61,13 +61,13 @@ struct DrawingKey {
 
 std::span<const DrawingKey> drawing_keys();
 
-/// Keys in which pictures of a panel may differ (`compare --beside`).
+/// Keys of `compare --beside`.
 inline constexpr std::array<std::string_view, 14> keys_beside{
     "color", "range", "colormap", "view",    "camera", "up",    "fov",
     "style", "cut",   "hide",     "outline", "follow", "glyph", "bar_format"};
 const DrawingKey& drawing_key(std::string_view name);
 
-/// Throws UsageError for a wrong value, without changing `drawing`.
+/// Throws UsageError without changing `drawing`.
 void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text);
 
 }  // namespace taut::cli

@@ -17,7 +17,7 @@
 
 namespace taut::cli {
 
-/// Particles of one picture; `view` refers to them.
+/// `view` refers to these particles.
 struct StagedParticles {
   int dim = 2;
   double time = 0;  // s
@@ -30,7 +30,7 @@ struct StagedParticles {
   FrameView view() const;
 };
 
-/// Selects and places the particles of a picture. The cut uses reference positions.
+/// Selects and places the particles of a picture.
 class Staging {
  public:
   /// Throws UsageError if all particles are hidden.
@@ -43,7 +43,7 @@ class Staging {
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and outlines; applies styles `cells` and `surface`.
   StagedParticles completed(StagedParticles staged) const;
-  /// Adds the values, and the positions that an automatic view must contain.
+  /// Adds the values, and the positions for an automatic view.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:

@@ -188,7 +188,7 @@ std::vector<double> Surface::points_at(std::span<const double> x) const {
   return all;
 }
 
-/// Whether no edge is torn; false for NaN.
+/// False for NaN.
 bool Surface::is_whole(const Simplex& simplex, std::span<const double> x) const {
   for (std::size_t a = 0; a <= dim_; ++a)
     for (std::size_t b = 0; b < a; ++b)

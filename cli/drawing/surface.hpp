@@ -19,15 +19,15 @@ struct SurfaceShape {
   std::vector<std::uint32_t> loose{};     // particles without an unbroken simplex
 };
 
-/// Delaunay triangles (in 3D tetrahedra) of the reference positions of particles and of nodes on faces. Triangles with
-/// a reference edge above two spacings, or with an edge stretched more than threefold, are left out.
+/// Delaunay triangles (in 3D tetrahedra) of the reference positions of particles and of nodes on faces, without long or
+/// torn edges.
 class Surface {
  public:
   /// Particle k is `shown[k]` of the scene, ascending. `is_cut` hides nodes.
   Surface(const Scene& scene, const Origins& origins, std::span<const std::size_t> shown,
           const Expression& is_cut);
 
-  /// `x`: n × dim, m. A node has an interpolated value or, if `uniform`, the value of its nearest particle.
+  /// `x`: n × dim, m. A node's value is interpolated or, if `uniform`, that of its nearest particle.
   SurfaceShape at(std::span<const double> x, std::span<const double> value, bool uniform) const;
   /// 2D: four coordinates per segment, m.
   std::vector<double> undeformed() const;
@@ -35,7 +35,7 @@ class Surface {
  private:
   using Simplex = std::array<std::uint32_t, 4>;  // in 2D, the last is unused
   struct Face {
-    std::array<std::uint32_t, 3> point{};  // ascending; in 2D, the last is unused
+    std::array<std::uint32_t, 3> point{};  // ascending
     std::array<int, 2> of{-1, -1};         // simplices; the second is −1 at the surface
   };
 

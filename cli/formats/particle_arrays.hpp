@@ -17,7 +17,7 @@ struct ParticleArray {
   std::string_view unit;  // empty: dimensionless
   std::vector<double> values;
   Type type = Type::real;
-  std::span<const std::string_view> components{};  // "x", "y", "z" or "xx", "yy" ...; empty: scalar
+  std::span<const std::string_view> components{};  // "x", "y", "z"; empty: scalar
 
   std::size_t width() const { return components.empty() ? 1 : components.size(); }
 };
@@ -25,11 +25,11 @@ struct ParticleArray {
 /// Names, in VTK's order.
 std::span<const std::string_view> tensor_components();
 
-/// `fields`, the arrays of every file, and the tensors of stress (Cauchy, positive in tension) and strain (logarithmic,
-/// ½ ln F Fᵀ) if `fields` contain a component. Vectors have three components also in 2D.
+/// Includes the tensors of stress (Cauchy, positive in tension) and strain (logarithmic, ½ ln F Fᵀ) if `fields` contain
+/// a component. Vectors have three components also in 2D.
 std::vector<ParticleArray> particle_arrays(const Snapshot& now, std::span<const Field* const> fields);
 
-/// Positions, three components each, m.
+/// Three components each, m.
 ParticleArray position_array(const Snapshot& now);
 
 }  // namespace taut::cli

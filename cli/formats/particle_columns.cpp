@@ -43,7 +43,7 @@ void append_value(std::string& text, const Column& column, std::size_t i, bool s
     append_number(text, column.at(i));
 }
 
-/// Such as "displacement_x".
+/// "displacement_x".
 std::string column_name(const ParticleArray& array, std::size_t component) {
   std::string_view stem = array.name;
   if (array.components.empty()) return std::string(stem);

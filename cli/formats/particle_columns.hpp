@@ -7,11 +7,11 @@
 
 namespace taut::cli {
 
-/// Extended XYZ for OVITO and ASE, with names of OVITO's manual ("XYZ file reader"). Tensors: xx, yy, zz, xy, xz, yz.
+/// Extended XYZ with names of OVITO's manual ("XYZ file reader").
 std::string extended_xyz_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 
-/// Header such as "time [s],id,x [m],y [m]".
+/// Header: "time [s],id,x [m],y [m]".
 std::string particle_csv_text(const Snapshot& snapshot, std::span<const Field* const> fields,
                               bool single_precision = false);
 

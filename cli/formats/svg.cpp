@@ -32,7 +32,7 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// Time limit: a few kilobytes of filters can take hours.
+/// A few kilobytes of filters can take hours.
 constexpr std::chrono::seconds longest{10};
 
 Mask paint(const std::filesystem::path& svg, int rows) {

@@ -13,7 +13,7 @@ struct Topic {
   std::string name;
   std::string header;  // "[[body]]"
   std::string help;
-  std::vector<std::vector<std::string>> rows;  // column names first
+  std::vector<std::vector<std::string>> rows;
   std::string example;
 };
 
@@ -27,7 +27,7 @@ LanguageFile sweep_language();
 LanguageFile claim_language();
 LanguageFile suite_language();
 
-/// Topics of this name, or else keys of this name.
+/// Topics, or else keys, of this name.
 std::vector<Topic> find_topics(std::string_view name);
 /// Excludes keys.
 std::vector<std::string> topic_names();

@@ -12,7 +12,7 @@
 #include "engine/diagnostics/measure_kinds.hpp"
 #include "engine/methods/catalogue.hpp"
 
-/// oneOf lists the kinds of shapes, probes and measures: Taplo ignores if/then and skips tables with allOf.
+/// Uses oneOf: Taplo ignores if/then and skips tables with allOf.
 namespace taut::cli {
 namespace {
 
@@ -141,7 +141,7 @@ Json schema_of(const KeyInfo& key, int dim) {
   return schema;
 }
 
-/// Alternative sets of keys, such as {bodies} and {body, wall}. The default text of a key names the other sets.
+/// Alternative sets of keys, such as {bodies} and {body, wall}. A key's default text names the others.
 std::vector<Keys> alternatives_to(const KeyInfo& first, std::span<const KeyInfo> keys) {
   const std::string named = std::string(first.by_default) + " ";
   const auto is_named = [&](const KeyInfo& key) {

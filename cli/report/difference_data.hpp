@@ -15,8 +15,7 @@ struct Compared {
   std::optional<double> warn{};  // ΔE*ab; see warns()
 };
 
-/// Sorts the pictures by excess over the limit, greatest first. Writes difference pictures into `folder`. Throws
-/// UsageError and OutputError.
+/// Sorts the pictures by falling excess over the limit. Writes difference pictures. Throws UsageError and OutputError.
 Json difference_data(const Compared& compared, const std::filesystem::path& folder, const Links& links);
 
 }  // namespace taut::cli

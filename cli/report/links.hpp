@@ -7,11 +7,11 @@ namespace taut::cli {
 
 class Links {
  public:
-  /// `page`: folder of the page. With `embed`, pictures become data URIs.
+  /// `page`: folder. With `embed`, pictures become data URIs.
   Links(const std::filesystem::path& page, bool embed);
 
   bool embeds() const { return embed_; }
-  /// Relative and percent-encoded, such as "../out/x".
+  /// Relative and percent-encoded.
   std::string to(const std::filesystem::path& file) const;
   /// Throws UsageError for a picture that cannot be embedded.
   std::string to_picture(const std::filesystem::path& file) const;

@@ -8,14 +8,13 @@
 
 namespace taut::cli {
 
-/// Written as scripts, since a page opened from a file cannot load JSON files.
+/// Written as scripts, since a page opened from a file cannot load JSON.
 struct PageData {
   Json report;                  // without runs and particles
   std::vector<Json> runs;       // null: no data
   std::vector<Json> particles;  // may be shorter than `runs`
 };
 
-/// `runs/K.js`, `runs/K-particles.js`.
 std::string run_script_name(std::size_t run);
 std::string particle_script_name(std::size_t run);
 

@@ -1,5 +1,5 @@
 # cmake -D PAGE=FOLDER -D CHART_JS=FILE -D OUTPUT=FILE -P page_files.cmake: writes a C++ source with the files of the
-# page as texts. All scripts of the folder become one, taut.js.
+# page. All scripts of the folder become taut.js.
 function(append_text name content)
   file(APPEND ${OUTPUT}.tmp "extern const std::string_view ${name} = R\"taut_page(${content})taut_page\";\n")
 endfunction()

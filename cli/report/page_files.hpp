@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// Embedded by page_files.cmake: files of page/, with all scripts joined in `taut_js`.
+/// Files of page/, embedded by page_files.cmake.
 namespace taut::cli::page {
 
 extern const std::string_view index_html, taut_css, taut_js;

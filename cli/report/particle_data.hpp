@@ -7,9 +7,8 @@
 
 namespace taut::cli {
 
-/// Saved 3D particles: times, box, colour scale and, as base64, three 16-bit coordinates and three 8-bit colour
-/// channels per particle. Thins the times to about two million particles. Nullopt in 2D or without saved particles.
-/// Throws UsageError for damaged files.
+/// Times, box, colour scale and, as base64, three 16-bit coordinates and three 8-bit colour channels per particle.
+/// Thins the times. Nullopt in 2D or without saved particles. Throws UsageError for damaged files.
 std::optional<Json> particle_data(const std::filesystem::path& run_folder);
 
 }  // namespace taut::cli

@@ -9,8 +9,7 @@
 
 namespace taut::cli {
 
-/// Record, scene, frames, history and reference curves. Thins a history of more than `most_rows` rows evenly. Throws
-/// UsageError without a valid run.json.
+/// Thins a history of more than `most_rows` rows evenly. Throws UsageError without a valid run.json.
 Json run_data(const std::filesystem::path& folder, const Links& links, std::size_t most_rows);
 
 Json to_json(const CurveStyle& style);

@@ -7,8 +7,7 @@
 
 namespace taut::cli {
 
-/// Writes difference pictures into `pictures`, a folder per entry. Throws UsageError for a damaged suite.json,
-/// OutputError.
+/// Writes difference pictures into `pictures`, a folder per entry. Throws UsageError and OutputError.
 Json suite_data(const std::filesystem::path& suite, const std::filesystem::path& pictures,
                 const Links& links);
 

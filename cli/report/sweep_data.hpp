@@ -9,7 +9,6 @@
 
 namespace taut::cli {
 
-/// Table of runs, swept names, styles of methods and pictures of a study.
 Json sweep_data(const StoredResults& results, const Links& links);
 
 bool has_run_folder(const StoredRun& run);

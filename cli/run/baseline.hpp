@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Folder with reference frames and their look.json.
+/// Reference frames and their look.json.
 class Baseline {
  public:
   explicit Baseline(std::filesystem::path path) : path_(std::move(path)) {}

@@ -19,7 +19,7 @@
 namespace taut::cli {
 namespace {
 
-/// The first step sets up contact, so it does not count.
+/// The first step sets up contact and does not count.
 struct Trial {
   double step = 0;     // mean, s
   double seconds = 0;  // per step

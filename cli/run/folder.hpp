@@ -19,18 +19,18 @@ class RunFolder {
   /// `named`: named by the user, may be a link.
   explicit RunFolder(std::filesystem::path path, bool named = true) : path_(std::move(path)), named_(named) {}
 
-  /// Throws UsageError if a run must not write into the folder.
+  /// Throws UsageError if a run must not write here.
   void check() const;
   /// Whether this is a run with an invalid run.json.
   bool is_damaged() const;
-  /// Writes run.json, which marks a run folder. Throws OutputError.
+  /// Writes run.json. Throws OutputError.
   void claim(std::string_view record) const;
   /// Removes frames, particles, history and lines. Throws OutputError.
   void clear() const;
   /// Throw UsageError if one of the first `number` files is missing.
   void check_frames(int number) const;
   void check_particle_files(int number, ParticleFormat format) const;
-  /// Remove frames, or particle files, after the first `number`. Throw OutputError.
+  /// Remove files after the first `number`. Throw OutputError.
   void keep_frames(int number) const;
   void keep_particle_files(int number, ParticleFormat format) const;
   /// Removes complete and temporary checkpoints. Throws OutputError.

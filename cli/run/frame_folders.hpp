@@ -16,7 +16,7 @@ struct TestCase;
 /// Sorted PNG files; none for a missing folder.
 std::vector<std::string> picture_names(const std::filesystem::path& folder);
 
-/// Folder of the frames of a run folder, else `folder`.
+/// Frames of a run folder, else `folder`.
 std::filesystem::path frames_of(const std::filesystem::path& folder);
 
 struct PictureDifference {

@@ -46,7 +46,7 @@ class History {
     saved_.serialize(archive, file_);
     archive(last_step_);
   }
-  /// Removes rows newer than the checkpoint. Throws OutputError.
+  /// Throws OutputError.
   void discard_newer() { file_.cut(saved_.length); }
   void put_on_disk() const { file_.put_on_disk(); }
 

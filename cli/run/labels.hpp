@@ -15,7 +15,7 @@ struct RunLabels {
 
 RunLabels label_runs(const std::vector<SavedRun>& runs);
 
-/// "t = 1.5 ms": the same unit and number of decimals for all times, at most four decimals.
+/// "t = 1.5 ms", with the same unit and number of decimals, at most four, for all times.
 std::vector<std::string> time_labels(const std::vector<double>& times, double until);
 
 }  // namespace taut::cli

@@ -30,7 +30,6 @@ class OutputOf : public RunOutput {
 
 constexpr int judged_parts = 200;
 
-/// Writes history.csv; updates verdict, indicators and conservation.
 class HistoryOutput final : public OutputOf<HistoryOutput> {
  public:
   HistoryOutput(const RunPlan& plan, const Simulation& simulation, RunResult& result)

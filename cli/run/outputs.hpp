@@ -46,7 +46,7 @@ class RunOutput {
   /// Called before run.json is written.
   virtual void update_result() {}
   virtual bool has_deferred_work() const { return false; }
-  /// Does deferred work; returns false if interrupted.
+  /// Returns false if interrupted.
   virtual bool complete(const Interrupts&, Progress&) { return true; }
 
   /// Call `wait` before saving; loading changes no file.
@@ -58,7 +58,7 @@ class RunOutput {
   virtual void discard_newer() {}
 };
 
-/// Outputs in the order in which they process a state. Throws SceneError and UsageError.
+/// In the order in which outputs process a state. Throws SceneError and UsageError.
 std::vector<std::unique_ptr<RunOutput>> make_outputs(const RunPlan& plan, const Simulation& simulation,
                                                      LastStep& last_step, RunResult& result);
 

@@ -12,8 +12,8 @@ struct PanelCell {
   std::string remark;  // in the corner, or centred without particles
 };
 
-/// Particles saved nearest to `time` [s], or none if the run ended earlier. The remark shows their time,
-/// if it differs, or how the run ended.
+/// Particles saved nearest to `time` [s], or none if the run ended earlier. The remark shows their time, if different,
+/// or how the run ended.
 PanelCell cell_at(const SavedRun& run, double time, double until, const Drawing& drawing,
                   const Origins& origins);
 

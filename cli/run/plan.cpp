@@ -73,7 +73,7 @@ std::optional<std::filesystem::path> run_folder_of(const SceneFile& file) {
   return folder.path();
 }
 
-/// Changed settings: "-spacing=0.002-v0=0.08". `again`: the scene is the scene.toml of a run folder.
+/// "-spacing=0.002-v0=0.08". `again`: the scene is the scene.toml of a run folder.
 std::string changes_text(const SceneFile& file, bool again) {
   constexpr std::size_t longest = 120;
   using enum ResolvedSetting::Source;

@@ -22,7 +22,7 @@ struct RunOptions {
   std::optional<double> every, history;  // s; none: from the scene
   std::optional<int> frames;
   DrawingOptions drawing;
-  std::optional<KeptLook> look;  // range and view of a baseline
+  std::optional<KeptLook> look;  // of a baseline
   bool keeps_look = false;
   int threads = 0;                         // 0: all cores, fewer in small scenes
   std::optional<double> checkpoint_every;  // s
@@ -48,7 +48,6 @@ void print_remark(const SceneFile& file, std::ostream& err);
 /// Does not touch the run folder. Throws UsageError and SceneError.
 RunPlan make_plan(const RunOptions& options);
 
-/// Fields to save with the particles.
 std::vector<const Field*> particle_fields(const RunOptions& options, int dim);
 
 /// Throws UsageError for unknown names.

@@ -20,8 +20,6 @@ constexpr std::pair<std::string_view, Status> statuses[] = {{"running", Status::
                                                             {"interrupted", Status::interrupted},
                                                             {"failed", Status::failed}};
 
-// `members` lists the keys of an object.
-
 template <class T, class Of>
 concept is_of = std::same_as<std::remove_const_t<T>, Of>;
 

@@ -31,7 +31,7 @@ struct RunRecord {
   std::string remark;
   std::optional<std::string> contact;  // if there are several bodies, or a wall
   std::string stepping;                // "dual" or "single"
-  double cfl = 0;                      // factor of the time step
+  double cfl = 0;
   std::vector<std::pair<std::string, double>> parameters;
   int dim = 2;
   double spacing = 0;                       // m, as used
@@ -52,8 +52,8 @@ struct RunRecord {
   Excess energy_gain, turn;
   int pieces = 0;
   std::array<IndicatorRecord, indicators.size()> indicator;
-  std::string patch_body;           // body of the worst patch; empty: none is worse than a whole body
-  std::vector<double> patch_place;  // initial middle of the patch, m
+  std::string patch_body;           // of the worst patch; empty: none is worse than a whole body
+  std::vector<double> patch_place;  // initial middle, m
   Conservation conservation;
   std::vector<MeasureResult> measures;
   std::optional<double> other_load;  // cores used by other processes
@@ -83,7 +83,7 @@ struct RecordField {
     everywhere,
     everywhere_if_known,  // omitted if null or empty
     last_in_results,      // varies between repetitions
-    results,              // only in results, last, omitted if null
+    results,              // last, omitted if null
     run_json,
   };
   std::string_view key;
@@ -104,7 +104,7 @@ struct StoredRecord : RunRecord {
   Json all;
 };
 
-/// Run time in s, or 0. After --resume, a lower bound: the stored wall time covers the last part only.
+/// Run time in s, or 0. After --resume, a lower bound.
 double seconds_taken(const StoredRecord& record);
 
 /// Returns nullopt without a file. Throws like record_from.

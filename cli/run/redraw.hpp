@@ -10,7 +10,7 @@
 
 namespace taut::cli {
 
-/// Throws UsageError if the run cannot be redrawn.
+/// Throws UsageError.
 void check_redrawing(const SavedRun& run);
 
 struct Redrawn {
@@ -19,7 +19,7 @@ struct Redrawn {
   std::set<std::string> cut_texts{};  // without room in the frames
 };
 
-/// Frames have the numbers of their particle files. `threads` of 0 uses all cores.
+/// Frames have the numbers of their particle files. `threads` 0: all cores.
 Redrawn redraw(const SavedRun& run, const std::filesystem::path& folder, int threads, Progress& progress);
 
 }  // namespace taut::cli

@@ -9,7 +9,7 @@ namespace taut::cli {
 /// Throws UsageError unless the folder is a run with work left.
 void check_resumable(const std::filesystem::path& folder, const RunOptions& given);
 
-/// Plan that continues the run from its checkpoint, else from the start. Throws SceneError and UsageError.
+/// Continues from the checkpoint, else from the start. Throws SceneError and UsageError.
 RunPlan resume_plan(const std::filesystem::path& folder, const RunOptions& given);
 
 }  // namespace taut::cli

@@ -111,7 +111,7 @@ RunResult Run::execute() {
   return std::move(result_);
 }
 
-/// Writes restart files first: the run may be killed.
+/// Restart files come first: the run may be killed.
 void Run::begin() {
   write_atomically(plan_.folder.scene(), plan_.scene_text(), Durability::on_disk);
   plan_.checkpoint_every ? write_checkpoint("") : plan_.folder.clear_checkpoint();
@@ -120,7 +120,6 @@ void Run::begin() {
   plan_next_checkpoint();
 }
 
-/// Loads `state` and removes newer output.
 void Run::resume_from(const std::string& state) {
   const double setup = record_.seconds.setup;
   open_files(AppendFile::Start::as_it_is);
@@ -221,7 +220,7 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
-    // the checkpoint precedes the final row, which a continued run must not have
+    // a continued run must not have the final row
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;
@@ -257,7 +256,7 @@ void Run::show_what_is_due(bool at_end) {
   }
 }
 
-/// Advances in slices for progress and run.json. Slices do not change the steps.
+/// Slices, for progress and run.json, do not change the steps.
 void Run::advance(double target) {
   while (record_.reached < target && !interrupts_.interrupted()) {
     const Stopwatch watch;

@@ -18,7 +18,7 @@ namespace taut::cli {
 
 struct RunPlan {
   SceneFile file;
-  std::optional<double> requested_spacing;  // m, from scene or command line
+  std::optional<double> requested_spacing;  // m
   std::optional<Drawing> drawing;           // none: no frames
   bool keeps_look = false;
   std::vector<const Field*> particle_fields;  // none: not saved
@@ -27,7 +27,7 @@ struct RunPlan {
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated s; none: no regular checkpoints
   bool keep_checkpoint = false;            // for a later `until`
-  std::optional<std::string> state;        // of a checkpoint; none: starts at t = 0
+  std::optional<std::string> state;        // none: starts at t = 0
   bool runs_on = false;                    // `state` has an earlier `until`
 
   std::string scene_text() const { return resolved_text(file, folder.path()); }
@@ -43,8 +43,8 @@ struct RunResult {
   std::string failure;
 };
 
-/// Throws SceneError, UsageError and OutputError. `setup_seconds`: time spent reading the scene. `before_it_begins` is
-/// called after the set-up.
+/// `setup_seconds`: time spent reading the scene. Calls `before_it_begins` after the set-up. Throws SceneError,
+/// UsageError and OutputError.
 RunResult run_scene(const RunPlan& plan, const Interrupts& interrupts, Progress& progress,
                     double setup_seconds, const std::function<void()>& before_it_begins = {});
 

@@ -22,7 +22,7 @@ struct SavedRun {
 /// Throws SceneError, and UsageError without a run or .vtp files.
 SavedRun open_saved_run(const std::filesystem::path& folder);
 
-/// Missing files below the last number: "particles_00003.vtp".
+/// Missing files below the last number.
 std::vector<std::string> missing_files(const SavedRun& run);
 
 struct ColoredParticles {

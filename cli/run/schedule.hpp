@@ -15,9 +15,9 @@ class Agenda {
  public:
   explicit Agenda(std::vector<double> times) : times_(std::move(times)) {}
 
-  /// Next time that was not reached, or infinity.
+  /// Next time not reached, or infinity.
   double next() const;
-  /// Times up to `now` that were not returned before.
+  /// Times up to `now` not returned before.
   std::span<const double> reached(double now);
   std::size_t done() const { return done_; }
   void skip_to(double now);

@@ -30,11 +30,11 @@ Expression compile(const std::string& text, const Names& names);
 std::function<double(double)> compile_of_time(const std::string& text, const Names& names);
 Solution compile_in_time(const std::string& text, const Names& names);
 
-/// Function of variables with the names `values`, and of t. Skips names that cannot be variables.
+/// Function of the variables `values` and of t. Skips names that cannot be variables.
 std::function<double(const std::vector<double>&, double)> compile_of_values(
     const std::string& text, Names names, const std::vector<std::string>& values);
 
-/// Names of variables in `text`; empty if `text` is invalid.
+/// Variables in `text`; empty if `text` is invalid.
 std::set<std::string> names_in(const std::string& text);
 
 std::vector<std::string> function_names();

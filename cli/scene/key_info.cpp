@@ -9,7 +9,7 @@
 namespace taut::cli {
 namespace {
 
-/// "number > 0", "0 ≤ number < 0.5".
+/// "0 ≤ number < 0.5".
 std::string bounded(std::string_view name, const NumberRange& bounds) {
   std::string text(name);
   const bool low = std::isfinite(bounds.low), high = std::isfinite(bounds.high);

@@ -19,7 +19,6 @@ struct NumberRange {
 constexpr NumberRange above(double low) { return {.low = low, .open_low = true}; }
 constexpr NumberRange at_least(double low) { return {.low = low}; }
 
-/// Type of a key, also for LANGUAGE.md and the JSON Schema.
 struct KeyType {
   enum class Kind : std::uint8_t {
     number,  // or expression
@@ -141,7 +140,6 @@ std::optional<double> default_number(const KeyInfo& key);
 inline constexpr std::string_view any_name = "NAME";
 inline constexpr KeyInfo named_by_user[] = {{any_name, {}, "", ""}};
 
-/// Part of a scene, sweep, claim or suite file.
 struct Section {
   std::string_view name;
   std::string_view header;  // "[[body]]"

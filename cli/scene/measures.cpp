@@ -60,7 +60,6 @@ void read_fields_of(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   }
 }
 
-/// Only displacements have a rigid motion.
 void read_rigid_motion(TomlCursor& cursor, const Scene& scene, Measure& measure) {
   measure.rigid_motion_free = cursor.choice("rigid_motion") == "free";
   std::vector<std::string> displacement{"displacement_x", "displacement_y"};
@@ -124,7 +123,7 @@ void read_free(TomlCursor& cursor, const Scene& scene, Measure& measure) {
 struct MeasureKey : KeyInfo {
   void (*read)(TomlCursor&, const Scene&, Measure&);
 };
-/// Read first: expressions in `numbers` may use material constants of the measured body.
+/// Read first: `numbers` may use material constants of the measured body.
 constexpr std::array objects = {
     MeasureKey{{"probe", types::text("name of a probe"), "", "probe that gives the series"}, read_probe_of},
     MeasureKey{{"probes", types::text("PROBE").list(2, 3), "",

@@ -125,7 +125,7 @@ int wall_index(TomlCursor& cursor, const Scene& scene) {
   return static_cast<int>(wall);
 }
 
-/// Takes bodies from the first probe that `value` uses. Defines material constants only if they are unique.
+/// Takes bodies from the first probe in `value`. Defines material constants only if unique.
 void read_probes_in(TomlCursor& cursor, const Scene& scene, Probe& probe) {
   const TomlValue& value = cursor.need("value");
   const std::set<std::string> used = names_in(value.kind == TomlValue::Kind::text ? value.text : "0");

@@ -209,7 +209,7 @@ void refuse_second_curve(TomlCursor& cursor, const TomlValue& value, const Refer
 struct Part {
   std::string law;
   bool of_method;
-  int specificity;  // 2: for given values of all parameters, 1: of those in `when`, 0: for any
+  int specificity;  // 2: given values of all parameters, 1: of those in `when`, 0: any
   const TomlValue* from;
   Reference what;
 };

@@ -82,7 +82,7 @@ void read_times(TomlCursor& root, const Changes& changes, double dp, SceneFile& 
   root.table().set("spacing", TomlValue(dp));
   file.scene.spacing = dp;
   file.scene.until = read_setting(root, "until", changes, file);
-  // far above the subnormal range, where sums of time steps lose digits
+  // far above subnormal numbers, where sums of time steps lose digits
   constexpr double least_until = 1e-100;
   if (file.scene.until < least_until)
     root.fail(root.need("until"), "until",
@@ -119,7 +119,7 @@ void read_jitter(TomlCursor& root, const Changes& changes, SceneFile& file) {
   jitter.seed = static_cast<int>(read_setting(root, "jitter_seed", changes, file));
 }
 
-/// In scene.toml of a run, a setting may have replaced the only expression that used a parameter.
+/// In scene.toml of a run, a setting may have replaced the only use of a parameter.
 void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const TomlSource& source) {
   const TomlEntry* parameters = original.find("parameters");
   if (!parameters) return;

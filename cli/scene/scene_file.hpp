@@ -22,10 +22,9 @@ struct Parameter {
   std::string unit;  // never converted
   std::string help;
   std::optional<double> low, high;  // inclusive
-  double default_value = 0;         // value without --set
+  double default_value = 0;
 };
 
-/// `--set name=value`, with a name of names_to_set().
 struct Setting {
   std::string name, value;
   FilePlace place = {};
@@ -33,7 +32,6 @@ struct Setting {
 Setting parse_setting(const std::string& assignment);
 std::string text_of(const Setting& setting);
 
-/// A setting that every scene has.
 struct SettingInfo {
   std::string_view name;
   std::string_view column;       // in results.csv
@@ -45,7 +43,7 @@ std::span<const SettingInfo> setting_infos();
 inline constexpr std::string_view constant_prefix = "method.";
 
 struct ResolvedSetting {
-  /// The last source that changed the value.
+  /// Last source that changed the value.
   enum class Source { by_default, scene, setting };
   std::string name;
   std::string value;
@@ -77,7 +75,7 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
 std::vector<std::string> names_to_set(const SceneFile& scene);
 /// Allowed words of a setting; empty if it takes numbers.
 std::vector<std::string> allowed_words(std::string_view name);
-/// Sets the members that depend on the scene. Throws UsageError if `drawing` does not fit the scene.
+/// Sets members that depend on the scene. Throws UsageError if `drawing` does not fit.
 void apply_scene(Drawing& drawing, const SceneFile& scene);
 /// Adds file, line and column to an error without a place.
 SceneError locate(const SceneFile& scene, const SceneError& error);

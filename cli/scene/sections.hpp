@@ -32,7 +32,7 @@ struct Changes {
 Changes by_target(const std::vector<Setting>& settings);
 /// Throws UsageError for unknown names.
 void check_names(const Changes& changes, const SceneFile& file);
-/// Adds to `file.resolved`. `in_scene`: value without settings; `usual`: default.
+/// `in_scene`: value without settings; `usual`: default.
 void resolve(SceneFile& file, std::string name, const std::string& value, const std::string& in_scene,
              const std::string& usual);
 void resolve(SceneFile& file, std::string name, double value, double in_scene, double usual);
@@ -43,10 +43,10 @@ double changed_number(const KeyInfo& key, const std::string& text, const Names& 
 
 /// Without `dp`, reads only parameters independent of dp.
 void read_parameters(TomlCursor& root, const Changes& changes, std::optional<double> dp, SceneFile& file);
-/// `dp` and parameters that depend on it.
+/// Includes `dp`.
 std::set<std::string> names_that_need_dp(TomlCursor& root, const Changes& changes);
 void read_settings(TomlCursor& root, const Changes& changes, SceneFile& file);
-/// Defines `touching`: gap in m below which faces count as touching. The published contact law depends on the bodies, so
+/// Defines `touching`: gap in m below which faces count as touching. The published contact law depends on the bodies:
 /// call again after read_bodies.
 void name_touching(TomlCursor& root, const SceneFile& file);
 void read_gravity_and_damping(TomlCursor& root, Scene& scene);
@@ -58,7 +58,7 @@ void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Searches `folder`, then the scene folders. Makes the key `file` relative to a scene folder, or absolute.
+/// Searches `folder`, then the scene folders. Makes `file` relative to a scene folder, or absolute.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
@@ -96,7 +96,7 @@ struct ShapeSetting {
   std::filesystem::path folder;
   Layers layers{};
   bool alone = false;  // only shape of its body, no cut-outs
-  int level = 0;       // number of enclosing shapes
+  int level = 0;       // enclosing shapes
 };
 struct ShapeKind {
   std::string_view name;
@@ -145,7 +145,7 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// Law of methods with a 2D deviator, in references and run.json.
+/// In references and run.json.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
 /// neo_hookean (run.json) to neo-hookean.
 std::string law_name(std::string_view material_law);

@@ -20,8 +20,8 @@ namespace {
 
 struct Frame {
   double pixel = 0;             // m
-  std::optional<Point> centre;  // of the picture, m
-  Point low{};                  // lower left corner of the picture, m
+  std::optional<Point> centre;  // m
+  Point low{};                  // lower left corner, m
 };
 
 double read_size(TomlCursor& shape, double rows, double columns) {
@@ -151,7 +151,6 @@ void refuse_far(const GivenSites& given, const std::filesystem::path& file, cons
               volume, setting.dp, cell));
 }
 
-/// The spacing determines the neighbours.
 void refuse_other_spacing(std::vector<double> volumes, const std::filesystem::path& file,
                           const ShapeSetting& setting) {
   const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
@@ -207,7 +206,7 @@ double usual_distance(std::vector<Point> places) {
   return *middle;
 }
 
-/// Distances are 1 to 1.12 dp in lattices, and down to 0.75 dp in disordered particles.
+/// Distances are 1 to 1.12 dp in lattices, down to 0.75 dp in disordered particles.
 void refuse_other_mass(double apart, const std::filesystem::path& file, const ShapeSetting& setting) {
   if (std::isfinite(apart) && (apart < 0.7 * setting.dp || apart > 1.3 * setting.dp))
     throw SceneError(

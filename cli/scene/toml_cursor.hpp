@@ -20,8 +20,8 @@ struct TomlSource {
   std::set<std::string> used;  // names in expressions
 };
 
-/// Typed access to a table; adds defaults to the table. Throws SceneError for a wrong or missing value,
-/// std::logic_error if a reader requests a key outside `keys`.
+/// Adds defaults to the table. Throws SceneError for a wrong or missing value, std::logic_error if a reader requests a
+/// key outside `keys`.
 class TomlCursor {
  public:
   /// `path` is dotted; `what` is for messages.
@@ -51,14 +51,14 @@ class TomlCursor {
   double number(std::string_view key);
   double number(std::string_view key, double otherwise);
   int whole(std::string_view key);
-  /// A missing key is false, and is not added.
+  /// A missing key is false, and not added.
   bool flag(std::string_view key);
   std::vector<double> numbers(std::string_view key, std::size_t size);
   Point point(std::string_view key, int dim);
 
   /// Finite value, also of an expression.
   double value_of(const TomlValue& value, std::string_view key);
-  /// Function of position; empty for the constant 0. A call throws SceneError for a non-finite value.
+  /// Function of position; empty for the constant 0. Calls throw SceneError for non-finite values.
   Expression function_of(const TomlValue& value, std::string_view key);
   /// Function of time, s.
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
@@ -81,7 +81,7 @@ class TomlCursor {
                                  std::string_view given, const std::vector<std::string>& known) const;
   void mark_names_used(const std::string& text);
   void refuse_unknown_keys() const;
-  /// Throws for unknown keys and for keys that were never read.
+  /// Throws for unknown and unread keys.
   void finish() const;
 
  private:

@@ -72,7 +72,7 @@ void refuse_long_keys(std::string_view text, const std::string& file) {
 
 TomlValue converted(const toml::node& node, const std::string& file, int level = 0);
 
-/// Restores the order of keys in the file, since toml++ sorts them.
+/// Restores the file's order of keys, which toml++ sorts.
 void add_entries(TomlValue& value, const toml::table& table, const std::string& file, int level) {
   for (const auto& [key, node] : table)
     value.entries.push_back({.key = std::string(key.str()),

@@ -14,7 +14,6 @@ struct FilePlace {
 
 struct TomlEntry;
 
-/// Tables keep the order of their keys.
 struct TomlValue {
   enum class Kind { table, array, text, number, boolean, date };
   Kind kind = Kind::table;
@@ -34,9 +33,9 @@ struct TomlValue {
 
   TomlEntry* find(std::string_view key);
   const TomlEntry* find(std::string_view key) const;
-  /// Replaces the value of `key`, keeping its place, or appends an entry.
+  /// Replaces a value in place, or appends an entry.
   void set(std::string_view key, TomlValue value);
-  /// "a number", "a table", ...
+  /// "a number"
   std::string_view kind_name() const;
 };
 
@@ -47,7 +46,7 @@ struct TomlEntry {
   bool known = false;  // read or added
 };
 
-/// Throws SceneError with the place of a syntax error.
+/// Throws SceneError.
 TomlValue parse_toml(std::string_view text, const std::string& file);
 
 /// Numbers read back exactly.

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int lines_kept = 1000;
 
-// global, since libedit calls plain functions
+// libedit calls plain functions
 LineInput::Complete complete_words;
 std::vector<std::string> found;
 
@@ -44,7 +44,7 @@ char** complete_last_word(const char* last, int start, int) {
   return found.empty() ? nullptr : rl_completion_matches(last, next_found);
 }
 
-/// Path of the XDG base directory specification, or empty.
+/// Path by the XDG specification, or empty.
 fs::path history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");

@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// Lines of stdin; a terminal has editing, completion and a saved history.
+/// Lines of stdin; a terminal has editing, completion and a history.
 class LineInput {
  public:
   using Complete = std::function<Choices(const std::vector<std::string>& words)>;

@@ -26,7 +26,6 @@ std::unique_ptr<Simulation> start_interruptible(const SceneFile& file) {
   return simulation;
 }
 
-/// Reason against setting a name, or "".
 std::string reason_against(const std::string& name, const SceneFile& file) {
   const auto infos = setting_infos();
   if (const auto info = std::ranges::find(infos, name, &SettingInfo::name); info != infos.end())

@@ -16,7 +16,7 @@
 
 namespace taut::cli {
 
-/// An interactive simulation. Members throw UsageError for wrong input, and then change nothing.
+/// Members throw UsageError for wrong input, and then change nothing.
 class Session {
  public:
   /// Also throws SceneError.
@@ -25,7 +25,7 @@ class Session {
   const SceneFile& file() const { return file_; }
   const Simulation& simulation() const { return *simulation_; }
 
-  /// Stops at an interrupt, like `run_until`. Both throw NumericalError if the simulation diverges.
+  /// Stops at an interrupt, like `run_until`. Both throw NumericalError.
   void step(long count, const Interrupts& interrupts);
   /// Runs to the first step at or after `t`, then shows `t`.
   void run_until(double t, const Interrupts& interrupts, Progress& progress);
@@ -35,7 +35,7 @@ class Session {
 
   const Snapshot& shown() const { return between_ ? *between_ : simulation_->snapshot(); }
 
-  /// Returns to t = 0, keeping settings and drawing.
+  /// Keeps settings and drawing.
   void reset();
 
   /// Changes cfl, or constants that are not fixed at the start.
@@ -49,9 +49,9 @@ class Session {
   void zoom(double factor);
   /// Orbits the 3D camera, degrees.
   void orbit(double right, double upwards);
-  /// Drawing fitted to the shown state.
+  /// Fitted to the shown state.
   Drawing drawing() const;
-  /// Writes the shown state to a PNG file.
+  /// Writes a PNG file.
   void frame(const std::filesystem::path& file) const;
   /// Requires a drawing from `drawing()`.
   render::Image picture(const Drawing& drawing) const;

@@ -75,7 +75,7 @@ void run(Session& session, const Words& words, const Dialogue& to) {
   say_time(session, to);
 }
 
-/// Writes "LOW:HIGH|auto" as "LOW HIGH | auto".
+/// "LOW:HIGH|auto" becomes "LOW HIGH | auto".
 std::string arguments_of(const DrawingKey& key) {
   std::string arguments;
   for (const char c : key.placeholder)
@@ -91,7 +91,7 @@ std::string text_of(const DrawingKey& key, const Drawing& drawing) {
   return join(words, " ");
 }
 
-/// Turns "--range is '2:1'; …" into "range is '2 1'; …".
+/// "--range is '2:1'; …" becomes "range is '2 1'; …".
 std::string in_session_words(std::string message, const DrawingKey& key) {
   const std::string option = key.option();
   if (!message.starts_with(option)) return message;
@@ -149,7 +149,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
   drawing.print_width.clear(), drawing.font_points.reset();
   terminal.adapt(look);
   to.out << terminal.text_of(session.picture(drawing));
-  // in place of texts, which block characters cannot show
+  // block characters cannot show texts
   const ColorMeaning colors = meaning(drawing);
   if (look.bare)
     to.out << colors.name << ' ' << (look.range ? ends(look.range->low, look.range->high) : "by colour")

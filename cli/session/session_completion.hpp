@@ -8,7 +8,7 @@
 
 namespace taut::cli {
 
-/// Choices in place of the last word of a partial line, including those that begin differently.
+/// Choices for the last word of a partial line, also those that begin differently.
 Choices session_choices(const Session& session, const std::vector<std::string>& words);
 
 }  // namespace taut::cli

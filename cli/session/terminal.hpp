@@ -9,7 +9,7 @@
 
 namespace taut::cli {
 
-/// Converts pictures for the terminal: to pixels if possible (kitty, iTerm2, sixels), else to block characters.
+/// Converts pictures to pixels (kitty, iTerm2, sixels) if possible, else to block characters.
 class Terminal {
  public:
   /// Throws UsageError unless `out` is std::cout and a terminal.
@@ -18,7 +18,7 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Fits the size of pictures to the terminal. Leaves out texts in character output.
+  /// Fits pictures to the terminal. Omits texts in character output.
   void adapt(render::Look& look) const;
   std::string text_of(const render::Image& image) const;
 

@@ -11,13 +11,13 @@
 namespace taut::cli {
 
 enum class Cost {
-  cpu,             // CPU seconds of the solver
-  wall,            // elapsed time, s
-  particle_steps,  // equal on all machines
+  cpu,   // CPU seconds of the solver
+  wall,  // elapsed time, s
+  particle_steps,
 };
 inline bool is_time(Cost cost) { return cost != Cost::particle_steps; }
 std::vector<std::string> cost_names();
-/// Throws UsageError with the nearest names.
+/// Throws UsageError.
 Cost find_cost(const std::string& name);
 std::string label(Cost cost);
 
@@ -35,14 +35,13 @@ struct ChartRequest {
 struct ChartPoint {
   double spacing = 0;  // m
   std::optional<double> error;
-  bool measured = true;  // has a value, perhaps without an error
+  bool measured = true;  // has a value
   double cost = 0;       // s or particle-steps; 0: unknown
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown
   bool stable = true;
   bool by_chance = false;  // stable, but a finer stable run has a larger error
 
-  /// Unknown costs are the greatest.
   double ranked_cost() const { return cost > 0 ? cost : std::numeric_limits<double>::infinity(); }
 };
 
@@ -58,12 +57,12 @@ struct Chart {
   std::string unit;  // empty: a share
   bool relative = true;
   Cost cost = Cost::cpu;
-  bool lacks_cpu = false;  // CPU time requested, but missing in a run
-  double other_load = 0;   // greatest number of cores used by other processes
+  bool lacks_cpu = false;  // requested, but missing in a run
+  double other_load = 0;   // most cores used by other processes
   int dim = 2;
   std::string against;             // "oenog at 0.5 mm"; empty: the references
-  std::vector<std::string> fixed;  // "single stepping", "until = 0.3"
-  bool several_contacts = false;   // the runs have different contact laws
+  std::vector<std::string> fixed;  // "until = 0.3"
+  bool several_contacts = false;
   std::vector<ChartSeries> series;
   std::vector<std::string> references;
   std::vector<std::string> machines;
@@ -72,7 +71,7 @@ struct Chart {
   std::string kind{};      // of the measure: "rmse"
 };
 
-/// Costs are doubtful from this `other_load` on.
+/// Costs are doubtful from this load on.
 inline constexpr double busy_load = 0.5;
 
 /// Reason for a missing error, such as "no reference"; empty if the point has an error.
@@ -87,8 +86,8 @@ std::string shown_cost(double cost);
 /// Least-squares slope of log error over log spacing of stable runs with errors > 0; nullopt for fewer than two.
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
-/// The default measure has the largest number of errors; times (`*_time`) and errors with a unit come last. Of runs
-/// with the same spacing the cheapest counts. Throws UsageError for a measure without errors.
+/// The default measure has the most errors; times (`*_time`) and errors with a unit come last. Of runs with the same
+/// spacing the cheapest counts. Throws UsageError.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

@@ -39,7 +39,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// Range that shows two ticks.
+  /// Shows two ticks.
   Range wide() const {
     if (high == 0) return {0.13, 13};  // no tick at an end
     const double margin = std::max(1.4, std::sqrt(6 / (high / low)));
@@ -116,8 +116,8 @@ std::string frame(const Chart& chart, const Layout& layout) {
   text += fmt::format("set tmargin screen {}\nset bmargin screen {}\nset lmargin screen 0.075\n",
                       1 - above / height, layout.foot() / height);
   text += fmt::format("set rmargin screen {}\n", right_margin(layout.names));
-  // gnuplot puts entries beyond the height of the graph into a column beyond the picture. An entry is 17.1
-  // pixels high at spacing 1; two slopes and two kinds of markers are entries, too
+  // gnuplot puts entries beyond the height of the graph outside the picture. An entry is 17.1 pixels high at spacing 1.
+  // 4: two slopes and two kinds of markers
   const double entries = static_cast<double>(layout.names.size()) + 4, graph = height - above - layout.foot();
   text += fmt::format("set key at screen {}, screen {} left top Left reverse samplen 4 spacing {}\n",
                       right_margin(layout.names) + 0.008, (layout.foot() + field) / height,

@@ -7,10 +7,9 @@
 
 namespace taut::cli {
 
-/// A block per series, from coarse to fine.
+/// A block per series.
 std::string chart_data(const Chart& chart);
-/// Work-precision diagram with slopes of order 1 and 2; runs without an error form a strip at the top. Throws
-/// UsageError for too many series.
+/// Work-precision diagram. Runs without an error form a strip at the top. Throws UsageError for too many series.
 std::string chart_script(const Chart& chart, const PlotFiles& files);
 
 }  // namespace taut::cli

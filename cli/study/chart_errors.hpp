@@ -8,7 +8,6 @@
 
 namespace taut::cli {
 
-/// Errors against references or runs.
 struct ChartErrors {
   std::string measure;
   std::vector<const StoredRun*> against{};  // one per swept scene; empty: references
@@ -26,7 +25,6 @@ struct ChartErrors {
 /// The same row or folder.
 bool is_same_run(const StoredRun& a, const StoredRun& b);
 
-/// For the default measure see make_chart().
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request);
 
 /// "0.5 mm".

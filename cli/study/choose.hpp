@@ -14,20 +14,20 @@ struct ChoiceLimits {
   std::optional<double> seconds;  // maximum solving time
 };
 
-/// A stable run; all finer runs of its series are stable, too, and have an error.
+/// All finer runs of the series are stable, too, and have an error.
 struct Offer {
   const ChartSeries* series;
   const ChartPoint* point;
   double error = 0;  // greatest of this and the finer runs
-  int finer = 0;     // number of finer runs
+  int finer = 0;
 };
 
 /// The cheapest run of each series within the limits, sorted by cost.
 std::vector<Offer> suitable_offers(const Chart& chart, const ChoiceLimits& limits);
-/// Runs with a smaller error than all cheaper runs, sorted by cost.
+/// Sorted by cost.
 std::vector<Offer> pareto_front(const Chart& chart, std::optional<double> seconds);
 
-/// The cheapest run within the limits with its evidence, or the reason why there is none.
+/// The cheapest run with its evidence, or the reason why there is none.
 std::string advice(const Chart& chart, const ChoiceLimits& limits);
 std::string price_list(const Chart& chart, std::optional<double> seconds);
 Json to_json(const std::vector<Offer>& offers);

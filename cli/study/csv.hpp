@@ -11,7 +11,7 @@ struct CsvTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// RFC 4180. Throws UsageError, with the line, for malformed rows.
+/// RFC 4180. Throws UsageError for malformed rows.
 CsvTable parse_csv(const std::string& text, const std::string& file);
 /// Throws UsageError.
 CsvTable read_csv(const std::filesystem::path& path);

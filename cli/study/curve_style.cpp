@@ -59,7 +59,6 @@ std::vector<CurveStyle> curve_styles(const std::vector<std::string>& names) {
   std::vector<CurveStyle> all(names.size());
   std::map<std::string, std::size_t> uses;
   std::map<std::string, std::set<int>> with_dashes;
-  // first lines of methods, then further lines
   for (const bool first : {true, false}) {
     for (std::size_t line = 0; line < names.size(); ++line) {
       const std::size_t k = number_of(names[line]);

@@ -12,7 +12,7 @@ struct Tolerance {
   double size = 0;
   bool relative = false;  // share of the expected value
 };
-/// "1%" or "0.002". Throws UsageError, which names `option`.
+/// "1%" or "0.002". Throws UsageError.
 Tolerance parse_tolerance(const std::string& text, const std::string& option);
 
 struct Expectation {
@@ -24,8 +24,8 @@ struct Expectation {
   Tolerance tolerance{};
 };
 
-/// Parses "period=0.2545±1%", "period=0.2545+-0.002", "period=0.2545" (tolerance `for_all`), "period<0.26",
-/// "period>=0.25". Throws UsageError.
+/// Parses "period=0.2545±1%", "period=0.2545+-0.002", "period=0.2545" (tolerance `for_all`), "period>=0.25". Throws
+/// UsageError.
 Expectation parse_expectation(const std::string& text, const std::optional<Tolerance>& for_all);
 std::vector<Expectation> expectations_of(const StoredRun& baseline, const Tolerance& tolerance);
 
@@ -35,7 +35,7 @@ struct Finding {
   bool bound = false;
   std::optional<double> value{};  // `is`, if finite
 };
-/// A measure without a value fails. Throws UsageError for a name that run.json lacks.
+/// A measure without a value fails. Throws UsageError for an unknown name.
 Finding check_expectation(const StoredRun& run, const Expectation& expected);
 Finding check_verdict(const StoredRun& run, const std::string& worst);
 Finding check_end(const StoredRun& run);

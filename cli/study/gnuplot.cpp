@@ -28,7 +28,7 @@ bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x
 /// Octal escape that splits a single-quoted string in two: gnuplot 5.4 reads '' as a quote only after a letter.
 std::string plot_byte(char c) { return fmt::format("'.\"\\{:03o}\".'", static_cast<unsigned char>(c)); }
 
-/// Relative path as a string. gnuplot would interpret a leading '|', '<' or '-', hence "./".
+/// gnuplot would interpret a leading '|', '<' or '-', hence "./".
 std::string plot_path(const std::string& name) {
   const bool drawable = with_letters_of_fonts(name) == name;
   std::string result;

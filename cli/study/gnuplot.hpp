@@ -9,7 +9,7 @@
 namespace taut::cli {
 
 struct PlotFiles {
-  std::filesystem::path picture;  // chart.png, chart.svg or chart.pdf
+  std::filesystem::path picture;
   std::filesystem::path script() const { return with(".gp"); }
   std::filesystem::path data() const { return with(".dat"); }
 
@@ -28,27 +28,27 @@ inline constexpr double smallest_font = 6;  // points
 
 std::string plot_text(std::string_view text);
 
-/// Picture of `width` × `height` pixels; `scale` enlarges everything.
+/// `width`, `height`: pixels; `scale` enlarges everything.
 std::string plot_head(const PlotFiles& files, int width, int height, double scale = 1);
-/// " pointsize SIZE*points", which looks equal in all formats.
+/// " pointsize SIZE*points", equal in all formats.
 std::string point_size(std::string_view size);
 std::string plot_title(std::string_view title);
-/// Small note at the left edge; `height`: 0 at the bottom, 1 at the top.
+/// Note at the left edge; `height`: 0 at the bottom, 1 at the top.
 std::string plot_note(std::string_view note, double height);
-/// Quoted title with a smaller font for long titles; `room` in pixels.
+/// Quoted; long titles have a smaller font. `room`: pixels.
 std::string titled(std::string_view title, double room = plot_width);
-/// Font size in points, at most `size`; `room` in pixels.
+/// Points, at most `size`; `room` in pixels.
 int font_that_fits(std::string_view text, double room, int size);
 
 std::string plot_comment(std::string_view text);
 std::string data_text(std::string_view text);
 
-/// Keeps both ends, since they distinguish names.
+/// Keeps both ends.
 std::string shortened(const std::string& name);
-/// Approximate width in pixels; font `size` in points.
+/// Approximate, in pixels; `size` in points.
 double text_width(std::string_view text, double size);
 double text_width(const std::vector<std::string>& texts, double size);
-/// Width in pixels, with line samples.
+/// Pixels, with line samples.
 double legend_width(const std::vector<std::string>& names);
 /// Right edge of the plot, as a share of the width.
 double right_margin(const std::vector<std::string>& names);

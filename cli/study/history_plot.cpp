@@ -201,7 +201,7 @@ PanelPlot::Panel panel_of(const HistoryPlot& plot, const std::vector<std::size_t
     if (belongs(curve))
       for (const double value : curve.values) all.add(value);
   const std::string& unit = plot.columns[columns.front()].unit;
-  // the legend names several columns, so that a unit is enough at the axis
+  // the legend names several columns
   const std::string label = columns.size() > 1 && !unit.empty() ? "" : join(labels);
   const AxisScale y =
       unit.empty() ? AxisScale{1, label} : axis_scale(label, unit, all.greatest(), look.log_y);

@@ -12,8 +12,8 @@
 namespace taut::cli {
 
 struct HistoryColumn {
-  std::string name, label;  // an axis adds `unit` with a fitting prefix to the label
-  FilePlace place = {};     // in the study file, for messages
+  std::string name, label;  // `label` lacks the unit
+  FilePlace place = {};     // in the study file
   std::string unit = {};    // SI
 };
 
@@ -27,16 +27,16 @@ struct HistoryPlot {
   HistoryColumn x{"t", "t", {}, "s"};
   std::vector<HistoryColumn> columns;
   std::vector<Curve> curves;
-  std::vector<std::vector<std::size_t>> panels{};  // columns of each; empty: one panel per column
-  std::vector<ReferenceCurve> references{};        // over time, or along lines
-  const char* kind = "history";                    // in messages
+  std::vector<std::vector<std::size_t>> panels{};  // empty: one per column
+  std::vector<ReferenceCurve> references{};
+  const char* kind = "history";  // in messages
 };
 
 struct NamedRun {
   std::string name;
   std::size_t index;  // in the results
 };
-/// Runs with distinct names, in the order of the legend.
+/// Distinct names, in the order of the legend.
 std::vector<NamedRun> named_runs(const std::vector<StoredRun>& runs);
 
 /// Throws UsageError for unknown columns, and for unreadable or empty histories.

@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-/// Replaces UTF-8 letters that no font has by '□'; Pango would draw a huge box.
+/// Replaces letters that no font has by '□'; Pango would draw a huge box.
 std::string with_letters_of_fonts(std::string_view text);
 
 }  // namespace taut::cli

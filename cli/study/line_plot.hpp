@@ -16,13 +16,13 @@ struct LineRequest {
   HistoryColumn x;            // "s", the distance from the first point, or a coordinate: "x"
 };
 
-/// Unit of the field of a line. Throws UsageError for an unknown line.
+/// Throws UsageError for an unknown line.
 std::string line_unit(const std::string& line, const Scene& scene);
 /// "s" and the coordinates.
 std::vector<std::string> line_axes(int dim);
 
-/// Plots lines.csv: a curve for each run and time, a column for each line. `scenes[k]` is of `results.runs[k]`.
-/// Prints missing samples on `err`. Throws UsageError for unreadable files, and without any sample.
+/// Plots lines.csv: a curve per run and time, a column per line. `scenes[k]` is of `results.runs[k]`. Prints missing
+/// samples on `err`. Throws UsageError, also without any sample.
 HistoryPlot make_line_plot(const StoredResults& results, const std::vector<SceneFile>& scenes,
                            const LineRequest& request, std::ostream& err);
 

@@ -132,7 +132,6 @@ std::string verdict_data(const StabilityMap& map) {
 
 constexpr int around = 190, row_height = 36;
 
-/// Size, title, axes and markers of the rows.
 std::string frame(const StabilityMap& map, const PlotFiles& files, const Page& page) {
   const int rows = static_cast<int>(map.rows.size()), columns = static_cast<int>(map.values.size());
   std::string text = plot_head(files, plot_width, around + row_height * rows) + plot_title(map.title);

@@ -87,7 +87,7 @@ Layout layout_of(const PanelPlot& plot, const PlotLook& look, const std::string&
   return layout;
 }
 
-/// Legend, with an empty plot for each column.
+/// Has an empty plot for each column.
 std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   const auto columns = static_cast<std::size_t>(layout.beside ? 1 : layout.legend_columns);
   const double from = layout.beside ? layout.right * layout.width + 10 : 10,
@@ -108,7 +108,7 @@ std::string legend_of(const PanelPlot& plot, const Layout& layout) {
   return text + "unset key\nset tics\n";
 }
 
-/// Range with a margin; the ends differ by a factor of at least 3.
+/// Adds a margin; the ends differ by a factor of at least 3.
 std::pair<double, double> log_range(double low, double high) {
   const double margin = std::max(1.15, std::sqrt(3 / (high / low)));
   return {low / margin, high * margin};

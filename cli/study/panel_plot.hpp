@@ -11,8 +11,8 @@ namespace taut::cli {
 /// Lengths are pixels at 96 dpi with texts of 11 points; `scale` enlarges everything.
 struct PlotLook {
   std::optional<std::string> title{};  // default: title of the results; empty: none
-  int width = plot_width;              // before scaling
-  std::optional<int> height{};         // default: depends on the panels
+  int width = plot_width;
+  std::optional<int> height{};
   double scale = 1;
   bool log_x = false, log_y = false;
 };
@@ -23,13 +23,13 @@ struct PlotLookOptions {
   std::optional<double> dpi, font_size;
 };
 
-/// Throws UsageError for wrong values.
+/// Throws UsageError.
 PlotLook plot_look(const PlotLookOptions& typed, const PlotFiles& files);
 
 struct PanelPlot {
   struct Panel {
     std::string label;
-    double low = 0, high = 1;        // of values; of positive values on a logarithmic axis
+    double low = 0, high = 1;        // of positive values on a logarithmic axis
     std::vector<std::string> lines;  // elements of gnuplot's `plot` command
   };
   struct Entry {
@@ -45,19 +45,18 @@ struct PanelPlot {
   bool has_markers = false;  // kept away from the frame
 };
 
-/// The legend is to the right of the panels; in a narrow picture it is above them.
 std::string panel_script(const PanelPlot& plot, const PlotFiles& files, const PlotLook& look);
 
-/// Factor of an axis, and its label: "deflection, mm".
+/// `label`: "deflection, mm".
 struct AxisScale {
   double factor = 1;
   std::string label;
 };
-/// Chooses an SI prefix or a power of ten, as render::scale_for does.
+/// Chooses an SI prefix or a power of ten.
 AxisScale axis_scale(const std::string& name, const std::string& unit, double greatest, bool is_log);
 /// Ticks at 1, 2 and 5 of each decade, in long ranges at powers of ten.
 std::string log_ticks(double low, double high, std::string (*show)(double));
-/// Approximate width of the numbers at an axis, pixels.
+/// Approximate, in pixels.
 double width_of_ticks(double low, double high);
 
 }  // namespace taut::cli

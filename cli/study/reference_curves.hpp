@@ -23,7 +23,6 @@ std::vector<ReferenceCurve> reference_curves(const Scene& scene, const std::stri
                                              std::span<const double> times);
 inline constexpr int solution_samples = 400;
 
-/// Along `line` at the time `t`.
 std::vector<ReferenceCurve> line_references(const Scene& scene, const std::string& law,
                                             const SampleLine& line, double t);
 

@@ -27,7 +27,7 @@ std::vector<std::string> split_at_plus(const std::string& text) {
   return parts;
 }
 
-/// Name of a column with its prefix, such as "set.v0".
+/// Adds a prefix, such as "set.".
 std::string column_with(const StoredRun& run, const std::string& name) {
   for (const std::string prefix : {set_prefix.data(), "parameters."})
     if (!run.text(prefix + name).empty()) return prefix + name;
@@ -201,7 +201,7 @@ std::string response_data(const ResponsePlot& plot) {
 
 namespace {
 
-/// Label of an axis without the unit. Empty for several columns with a unit: the legend names the columns.
+/// Without the unit. Empty for several columns with a unit: the legend names them.
 std::string names_in(const std::vector<ResultColumn>& columns) {
   std::vector<std::string> names;
   if (columns.size() > 1 && !columns.front().unit.empty()) return "";
@@ -234,7 +234,6 @@ AxisScale scale_of(const std::string& name, const std::string& unit, double grea
                      : axis_scale(name, unit, greatest, is_log);
 }
 
-/// Styles by line name.
 std::map<std::string, CurveStyle> styles_of(const ResponsePlot& plot, bool named_by_method) {
   std::vector<std::string> names, methods;
   for (const ResponsePlot::Panel& panel : plot.panels)
@@ -262,7 +261,7 @@ struct ResponseDrawing {
     if (std::ranges::find(legend, entry) == legend.end()) legend.push_back(entry);
   }
 
-  /// Draws black dashes, or a cross for a single point.
+  /// Black dashes, or a cross for a single point.
   void add_reference(PanelPlot::Panel& panel, const std::string& points, const Line& line) {
     const bool is_single = line.points.size() == 1;
     const std::string style =

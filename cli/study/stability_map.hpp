@@ -17,12 +17,12 @@ struct MapRequest {
 
 struct MapCell {
   std::string verdict;          // empty: see `status`
-  std::string status;           // "finished", "error", "to do", ...
+  std::string status;           // "finished", "to do"
   std::optional<double> since;  // start of the verdict, s
   std::optional<double> value{};
 };
 
-/// Verdicts or a measure by parameter and method. A method has a row per combination of other settings.
+/// A method has a row per combination of other settings.
 struct StabilityMap {
   std::string title, scene;
   std::string parameter;
@@ -33,7 +33,7 @@ struct StabilityMap {
   std::vector<std::vector<std::optional<MapCell>>> cells;  // by row and value
 };
 
-/// `wanted`, or the only swept parameter. Throws UsageError for an unknown or missing choice.
+/// `wanted`, or the only one. Throws UsageError for an unknown or missing choice.
 std::string swept_parameter(const std::vector<StoredRun>& runs, const std::string& wanted,
                             std::string_view option);
 

@@ -98,7 +98,7 @@ std::vector<StoredRun> read_runs(const fs::path& path) {
   return runs;
 }
 
-/// Reads title and units; returns the common settings.
+/// Returns the common settings.
 StoredSettings add_names(const fs::path& table, StoredResults& results) {
   constexpr std::uint64_t most_bytes = 256 << 20;
   const std::string file = (table.parent_path() / "results.json").string();
@@ -307,7 +307,6 @@ ResultColumn part_of_measure(const StoredResults& results, const std::string& na
   return found;
 }
 
-/// Measures, then settings, then other columns.
 std::vector<std::string> column_names(const StoredResults& results) {
   std::vector<std::string> names = results.measures();
   std::set<std::string> seen(names.begin(), names.end());
@@ -361,7 +360,7 @@ std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& ru
       return seen.emplace(key, value).first->second != value;
     });
     if (differs) chosen.push_back(column);
-    if (!differs && seen.size() == runs.size()) break;  // all runs differ
+    if (!differs && seen.size() == runs.size()) break;
   }
   return chosen;
 }

@@ -17,7 +17,7 @@
 
 namespace taut::cli {
 
-/// Sections [chart], [map] and [history] of a sweep file (cli/COMMANDS.md).
+/// Sections [chart], [map] and [history] of a sweep file.
 struct StudyPictures {
   struct Named {
     std::string name;
@@ -43,12 +43,12 @@ StudyPictures read_pictures(TomlCursor& root);
 /// Names known before the runs start.
 struct AvailableData {
   std::set<std::string> measures;
-  std::set<std::string> referenced;   // measures with a reference
-  std::set<std::string> differences;  // measures that are differences from a reference
+  std::set<std::string> referenced;
+  std::set<std::string> differences;  // from a reference
   std::set<std::string> methods;
   std::set<std::string> columns;  // of history.csv
   std::vector<std::string> swept;
-  std::vector<std::string> varied;  // swept names with several values
+  std::vector<std::string> varied;  // with several values
 };
 
 /// Throws SceneError for pictures whose data the runs will lack.
@@ -60,7 +60,7 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
 
 /// Prints warnings. Throws UsageError.
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
-/// Draw a picture. Return the exit code. Throw UsageError and OutputError.
+/// Return the exit code. Throw UsageError and OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,
                Streams streams);
 int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams streams, const PlotLook& look = {});

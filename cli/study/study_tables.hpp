@@ -7,8 +7,8 @@
 
 namespace taut::cli {
 
-/// Markdown page with the tables of charts and map and, with a [history], the measures of runs. `results` as for
-/// read_results(). Throws UsageError.
+/// Markdown tables of charts and map and, with a [history], the measures of runs. `results` as for read_results().
+/// Throws UsageError.
 std::string study_tables(const StudyPictures& pictures, const std::vector<std::string>& results);
 
 }  // namespace taut::cli

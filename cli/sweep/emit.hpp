@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Script by which Slurm or GNU parallel does the runs.
+/// Script for Slurm or GNU parallel.
 struct EmitForm {
   std::string_view name;  // of --emit
   std::string_view file;  // in the sweep's folder

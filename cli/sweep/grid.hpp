@@ -16,8 +16,8 @@ struct Axis {
   std::vector<Setting> values;
 };
 
-/// Parses "v1,v2,..." or "lo:hi:step", which includes both ends. Commas in parentheses belong to expressions. Numbers
-/// become canonical. Throws UsageError for a step that does not divide the range, and for repeated or empty values.
+/// Parses "v1,v2,..." or "lo:hi:step" with both ends. Commas in parentheses belong to expressions. Numbers become
+/// canonical. Throws UsageError for a step that does not divide the range, and for repeated or empty values.
 std::vector<std::string> parse_values(const std::string& text);
 /// Parses "name=values". Throws UsageError.
 Axis parse_axis(const std::string& text);
@@ -29,7 +29,7 @@ std::vector<GridRow> all_combinations(const std::vector<Axis>& axes);
 /// Throws UsageError for too many or repeated runs.
 void check_rows(const std::vector<GridRow>& rows);
 
-/// "v0=0.06_method=og"; a hash is added if characters were replaced or cut.
+/// "v0=0.06_method=og", with a hash if characters were replaced or cut.
 std::string folder_name(const GridRow& row);
 /// "v0=0.06, method=og".
 std::string text_of(const GridRow& row);

@@ -12,7 +12,7 @@ namespace taut::cli {
 struct SweepOptions {
   std::string what;  // file or scene
   std::vector<std::string> grid;
-  RunOptions run;  // for every run
+  RunOptions run;
   std::optional<std::string> emit, fail_on;
   std::optional<int> jobs, index, repeat;
   bool list = false, force = false, render = false, quiet = false;
@@ -23,7 +23,7 @@ void declare_sweep_options(Options& command, SweepOptions& options);
 /// Throws UsageError and SceneError.
 SweepRequest make_request(const SweepOptions& options);
 
-/// Words of the command without options for a single call, such as --list. An option and its value are one word.
+/// Words of the command without options for a single call (--list). An option and its value are one word.
 std::vector<std::string> command_to_repeat(const Options& command);
 
 }  // namespace taut::cli

@@ -24,8 +24,8 @@ std::string_view name(SweepRunState);
 /// CPU time of equal runs.
 struct RepeatedCost {
   int runs = 0;
-  const RunRecord* median;  // by CPU time
-  double spread = 0;        // (maximum − minimum)/median
+  const RunRecord* median;
+  double spread = 0;  // (maximum − minimum)/median
 };
 
 struct SweepRun {
@@ -79,7 +79,7 @@ struct SweepRequest {
   StudyPictures pictures;
 };
 
-/// Starts no run. Throws SceneError and UsageError.
+/// Throws SceneError and UsageError.
 SweepPlan plan_sweep(const SweepRequest& request);
 
 }  // namespace taut::cli

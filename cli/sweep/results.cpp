@@ -68,7 +68,7 @@ std::string cell_of(const Json& value) {
   return value.is_float() ? exact(value.number()) : csv_cell(value.dump());
 }
 
-/// Measures of one run, since all have the same scene.
+/// All runs have the same scene.
 std::vector<MeasureResult> measures_of(const SweepPlan& plan) {
   const auto run = std::ranges::find_if(plan.runs, [](const SweepRun& r) { return r.record.has_value(); });
   return run == plan.runs.end() ? std::vector<MeasureResult>() : run->record->measures;

@@ -9,20 +9,20 @@
 
 namespace taut::cli {
 
-/// results.json; see cli/COMMANDS.md.
+/// See cli/COMMANDS.md.
 std::string results_json(const SweepPlan& plan);
 /// `index` selects a run.
 Json results_tree(const SweepPlan& plan, std::optional<int> index = {});
 
-/// A row per run. Columns are paths: "set.v0", "measures.period.value". Missing values are empty.
+/// Columns are paths: "measures.period.value". Missing values are empty.
 std::string results_csv(const SweepPlan& plan);
 
-/// Writes results.csv and results.json, each atomically. Throws OutputError.
+/// Writes each file atomically. Throws OutputError.
 void write_results(const SweepPlan& plan);
 
 TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on);
 
-/// "fractured since 0.0031 s", "interrupted", ...
+/// "fractured since 0.0031 s"
 std::string outcome(const SweepRun& run);
 std::string results_table(const SweepPlan& plan);
 

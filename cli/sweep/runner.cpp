@@ -17,7 +17,7 @@ namespace {
 
 constexpr double look_interval = 2.0;  // s
 
-/// Does a run like `taut run`, without progress. Skips a run that another process has done, unless it is forced.
+/// Works like `taut run`, without progress. Skips a run that another process has done, unless it is forced.
 int run_alone(SweepRun run) {
   const auto work = [&]() -> int {
     const Stopwatch setup;

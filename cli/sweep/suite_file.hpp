@@ -22,11 +22,11 @@ struct SuiteEntry {
   std::optional<double> warn, fail;  // ΔE*ab
 
   bool is_control() const { return !differs_from.empty(); }
-  /// Name of the entry with the baseline.
+  /// Entry with the baseline.
   const std::string& owner() const { return is_control() ? differs_from : name; }
 };
 
-/// Entries inherit keys of the suite, and controls inherit keys of `differs_from`. See scenes/LANGUAGE.md.
+/// Entries inherit keys of the suite, and controls inherit keys of `differs_from`.
 struct SuiteFile {
   std::filesystem::path path, baselines;
   std::string title;
@@ -35,7 +35,7 @@ struct SuiteFile {
 
 /// Throws SceneError unless the file is TOML.
 bool is_suite_file(const std::filesystem::path& path);
-/// Throws SceneError with the place. Does not check whether settings and drawing fit the scenes.
+/// Throws SceneError. Does not check whether settings and drawing fit the scenes.
 SuiteFile read_suite(const std::filesystem::path& path);
 
 }  // namespace taut::cli

@@ -7,7 +7,7 @@
 
 namespace taut::cli {
 
-/// File suite.json: comparisons of the last call, for `taut report`.
+/// Comparisons of the last call (suite.json).
 struct SuiteRecord {
   struct Entry {
     std::string name;

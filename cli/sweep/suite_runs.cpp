@@ -47,7 +47,7 @@ SweepRequest request_of(const SuiteFile& suite, const SuiteEntry& entry, const B
   return request;
 }
 
-/// Adds the entry to errors without a place, such as errors of the drawing.
+/// Adds the entry to errors without a place.
 SweepRun planned_run(const SuiteFile& suite, const SuiteEntry& entry, const Baseline& baseline,
                      const SuiteOptions& options) {
   try {
@@ -75,7 +75,6 @@ void refuse_missing(const std::vector<PlannedEntry>& entries) {
                    "'; create it with --update --only " + join(names, ","));
 }
 
-/// Reason why the run has no result, or "".
 std::string problem_of(const SweepRun& run) {
   if (run.state != SweepRunState::done) return run.problem.empty() ? "the run is not finished" : run.problem;
   return run.record->status == RunRecord::Status::failed ? run.record->reason : "";

@@ -28,8 +28,8 @@ struct PlannedEntry {
   render::DifferenceLimit limit() const;
 };
 
-/// With `needs_baselines`, all baselines must exist unless `options.update` makes them. Throws SceneError with the place,
-/// and UsageError for unknown names and missing baselines.
+/// With `needs_baselines`, all baselines must exist unless `options.update` makes them. Throws SceneError, and
+/// UsageError for unknown names and missing baselines.
 std::vector<PlannedEntry> plan_suite(const SuiteFile& suite, const SuiteOptions& options,
                                      bool needs_baselines = true);
 

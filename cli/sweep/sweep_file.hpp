@@ -23,12 +23,12 @@ struct SweepFile {
 std::vector<Setting> read_settings(TomlCursor& table);
 /// `own` has priority.
 std::vector<Setting> merged(const std::vector<Setting>& common, const std::vector<Setting>& own);
-/// Path of the scene: relative to the folder of `file`, or else from find_scene(). Throws SceneError.
+/// Relative to the folder of `file`, or else from find_scene(). Throws SceneError.
 std::string find_scene_of(TomlCursor& table, const std::filesystem::path& file);
 
 /// Throws SceneError unless the file is TOML.
 bool is_sweep_file(const std::filesystem::path& path);
-/// Throws SceneError with the place, UsageError for a scene file. Does not check whether names and values fit the scene.
+/// Throws SceneError, and UsageError for a scene file. Does not check whether names and values fit the scene.
 SweepFile read_sweep(const std::filesystem::path& path);
 
 }  // namespace taut::cli

@@ -89,8 +89,8 @@ int give_up(int descriptor, int error) {
   return -1;
 }
 
-/// Creates and locks a new file. Replaces a link or the file of a killed program; waits for other writers.
-/// Returns −1 and sets errno on failure.
+/// Creates and locks a file. Replaces a link or the file of a killed program; waits for other writers. Returns −1 and
+/// sets errno on failure.
 int open_new(const std::string& path) {
   constexpr int most = 1000;
   for (int k = 0; k < most; ++k) {
@@ -115,7 +115,7 @@ int open_new(const std::string& path) {
   return -1;
 }
 
-/// Temporary folder beside `folder`, removed by the destructor.
+/// Temporary folder.
 class Beside {
  public:
   Beside(const fs::path& folder, const char* what)
@@ -139,7 +139,7 @@ int rename_folder(const fs::path& from, const fs::path& to) {
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns 0 or an errno. Atomic if the file system can exchange folders.
+/// Returns 0 or an errno.
 int put_in_place(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) return rename_folder(fresh, folder);
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return 0;

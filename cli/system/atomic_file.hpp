@@ -12,11 +12,11 @@ namespace taut::cli {
 /// `on_disk` survives power cuts but is slow.
 enum class Durability { from_crashes, on_disk };
 
-/// Other processes never see a partial file. Throws OutputError.
+/// Throws OutputError.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Durability durability = Durability::from_crashes);
 
-/// Locks a file until destruction; other writers wait. Throws OutputError.
+/// Other writers wait until destruction. Throws OutputError.
 class FileLock {
  public:
   explicit FileLock(const std::filesystem::path& path);
@@ -35,7 +35,7 @@ void put_on_disk(const std::filesystem::path& path);
 /// Returns the new folders, innermost first. Throws OutputError.
 std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder);
 
-/// Creates the folder of `file`. Throws OutputError, also for a missing top-level folder.
+/// Throws OutputError, also for a missing top-level folder.
 void make_folder_of(const std::filesystem::path& file);
 
 constexpr std::uint64_t most_bytes_of_text = 64 << 20;
@@ -43,7 +43,7 @@ constexpr std::uint64_t most_bytes_of_text = 64 << 20;
 std::optional<std::string> read_whole(const std::filesystem::path& path,
                                       std::uint64_t most_bytes = most_bytes_of_text);
 
-/// Grows by whole lines: crashes and full disks leave no partial line.
+/// Crashes and full disks leave no partial line.
 class AppendFile {
  public:
   enum class Start { empty, as_it_is };

@@ -6,8 +6,7 @@
 
 namespace taut::cli {
 
-/// Runs a function in a forked process. Requires a single thread at the fork.
-/// The child dies with its parent and ignores Ctrl-C and SIGHUP.
+/// Requires a single thread at the fork. The child dies with its parent and ignores Ctrl-C and SIGHUP.
 class ChildProcess {
  public:
   /// `work` returns the exit code; the last 64 KiB of its output are kept. Throws UsageError.

@@ -15,7 +15,7 @@ namespace taut::cli {
 
 namespace {
 
-/// "file:line:column: message", as in compilers.
+/// "file:line:column: message"
 std::string with_place(const SceneError& e) {
   std::string place = e.file;
   if (e.line > 0) place += ":" + std::to_string(e.line);

@@ -17,7 +17,6 @@ enum ExitCode : int {
   exit_bug = 70,  // EX_SOFTWARE of sysexits.h
 };
 
-/// As shells report a signal.
 constexpr int exit_by_signal(int signal) { return 128 + signal; }
 
 struct Failure {

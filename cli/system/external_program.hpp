@@ -30,7 +30,7 @@ struct Maker {
   std::string package;  // in Debian
 };
 
-/// Arguments for writing `unfinished`, such as "…/movie.mp4.part/movie.mp4".
+/// Arguments for writing `unfinished`: "…/movie.mp4.part/movie.mp4".
 using MakerArguments = std::function<std::vector<std::string>(const std::filesystem::path& unfinished)>;
 
 /// Runs `maker` in `folder` and renames the complete file. Returns exit_fine or the code of an interrupt.

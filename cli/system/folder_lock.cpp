@@ -28,9 +28,9 @@ namespace {
 struct Kind {
   const char* file;
   short lock;
-  bool stays;  // the file remains after unlocking
+  bool stays;  // the file remains
 };
-constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // in the order of FolderLock::Of
+constexpr std::array kinds = {Kind{run_lock_name, F_WRLCK, false},  // by FolderLock::Of
                               Kind{"sweep.lock", F_WRLCK, true}, Kind{"sweep.lock", F_RDLCK, true}};
 
 const Kind& kind(FolderLock::Of of) { return kinds[static_cast<std::size_t>(of)]; }
@@ -50,7 +50,7 @@ bool knows_no_locks(int error) {
   return std::ranges::find(all, error) != all.end();
 }
 
-/// Contents of a lock file, one line per member.
+/// Contents of a lock file, a line per member.
 struct Holder {
   std::string command, process, host, since;
 
@@ -111,7 +111,7 @@ FolderLock::~FolderLock() {
     if (!fs::remove(folder, filled)) break;
 }
 
-/// Waits, because children of a killed program need a moment to end.
+/// Waits, since children of a killed program end late.
 int FolderLock::acquire() {
   using namespace std::chrono_literals;
   for (auto waited = 0ms;; waited += 20ms) {

@@ -8,8 +8,7 @@
 
 namespace taut::cli {
 
-/// Excludes other writers by a lock file. The lock ends with the process and its children. Warns if the file system has
-/// no locks.
+/// The lock ends with the process and its children. Warns if the file system has no locks.
 class FolderLock {
  public:
   enum class Of {
@@ -18,8 +17,8 @@ class FolderLock {
     part_of_sweep,  // excludes writers of the whole sweep
   };
 
-  /// Creates a missing folder. Messages of other processes can name `command`. Throws UsageError if another process holds
-  /// the lock, and OutputError.
+  /// Creates a missing folder. Messages of other processes can name `command`. Throws UsageError if another process
+  /// holds the lock, and OutputError.
   FolderLock(const std::filesystem::path& folder, Of of, std::string_view command, std::ostream& err);
   /// Removes created folders, if empty.
   ~FolderLock();

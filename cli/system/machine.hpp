@@ -10,14 +10,14 @@ namespace taut::cli {
 /// Model of the processor, or "unknown".
 std::string machine_name();
 
-/// Number of cores that this process may use, without hyperthreads.
+/// Cores that this process may use, without hyperthreads.
 int physical_cores();
 
 class MachineLoad {
  public:
   MachineLoad();
   /// Mean number of cores used by other processes and the hypervisor since construction. Nullopt without /proc/stat,
-  /// and in the first 0.2 s, since kernel ticks are coarse.
+  /// and in the first 0.2 s.
   std::optional<double> of_others() const;
 
  private:

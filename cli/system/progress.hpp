@@ -49,7 +49,7 @@ std::string time_left(double share, double before, double elapsed);
 /// "17 hours" for the share `left`. The share `done` took `elapsed` s. May be empty.
 std::string long_time_left(double done, double left, double elapsed);
 
-/// "rings, 4398 particles [####......] 40 %  0:12 left  2.1 M particle-steps/s". Shortened to fit `width`.
+/// "rings [####......] 40 %  0:12 left  2.1 M particle-steps/s". Shortened to fit `width`.
 std::string bar_line(const std::string& what, double share, const std::string& left,
                      const std::string& detail, std::size_t width);
 

@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-/// Wall-clock time since construction, in s.
+/// Wall-clock time in s.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -15,7 +15,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// CPU time of all threads since construction, in s.
+/// CPU time of all threads, in s.
 class CpuStopwatch {
  public:
   double seconds() const { return now() - start_; }
@@ -29,7 +29,6 @@ class CpuStopwatch {
   double start_ = now();
 };
 
-/// Adds its lifetime in s to `total`.
 class Timed {
  public:
   explicit Timed(double& total) : total_(total) {}

@@ -22,7 +22,6 @@ std::optional<Number> parsed(std::string_view text) {
 std::string exact(double value);
 /// At most four significant digits.
 std::string brief(double value);
-/// At most six significant digits.
 std::string six_digits(double value);
 /// "4.1 M".
 std::string with_prefix(double value);
@@ -31,16 +30,15 @@ std::string percent(double share);
 /// "0:07" or "1:02:03".
 std::string clock_time(double seconds);
 std::string join(const std::vector<std::string>& words, std::string_view between = ", ");
-/// "a, b or c".
 std::string join_with_or(std::vector<std::string> words);
 
-/// FNV-1a, the same on every machine.
+/// FNV-1a.
 std::uint64_t hash_of(std::string_view text);
 
-/// Table. Wraps the widest column if the table is wider than `columns`. Escapes cells with printable().
+/// Wraps the widest column if the table is wider than `columns`. Escapes cells with printable().
 std::string in_columns(std::vector<std::vector<std::string>> rows, int indent = 2,
                        std::optional<std::size_t> columns = {});
-/// Breaks `text` at blanks to fit `columns`. Each line begins with `indent` blanks; the last has no newline.
+/// Breaks `text` at blanks. Each line begins with `indent` blanks; the last has no newline.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
 
 /// "NAME_00012.EXTENSION"

@@ -13,7 +13,6 @@
 
 namespace taut::cli {
 
-/// Objects keep the order of their keys.
 class Json {
  public:
   using Member = std::pair<std::string, Json>;
@@ -54,7 +53,6 @@ class Json {
   const std::string& text() const { return std::get<std::string>(value_); }
   const std::vector<Json>& items() const { return std::get<std::vector<Json>>(value_); }
   const std::vector<Member>& members() const { return std::get<std::vector<Member>>(value_); }
-  /// Nullptr without such a key.
   const Json* find(std::string_view key) const;
 
   /// Adds a missing member as null. A null value becomes an object.
@@ -82,7 +80,6 @@ class Json {
 /// Throws UsageError for invalid JSON, repeated keys and more than 64 levels.
 Json parse_json(const std::string& text, const std::string& file);
 
-/// A JSON number, else a text.
 Json number_or_text(const std::string& text);
 
 }  // namespace taut::cli

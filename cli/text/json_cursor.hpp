@@ -11,7 +11,7 @@
 
 namespace taut::cli {
 
-/// Its UsageErrors contain the file and the path of the key ("measures.period.value").
+/// Its UsageErrors contain the file and the path of the key.
 class JsonCursor {
  public:
   /// The arguments must outlive the cursor. With `texts_are_numbers`, as in CSV, number() parses texts.

@@ -7,7 +7,7 @@ namespace taut::cli {
 
 inline constexpr double mm_per_inch = 25.4, points_per_inch = 72;
 inline constexpr double screen_dpi = 96, print_dpi = 300;
-/// Font size in points; most journals allow 6 to 8.
+/// Points; most journals allow 6 to 8.
 inline constexpr double print_font = 7;
 
 /// Millimetres of "85mm", "8.5cm" or "3.35in", from 10 mm to 2 m.

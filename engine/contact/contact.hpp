@@ -29,17 +29,17 @@ class Contact {
   bool prepare(const Particles<Dim>& s, double way);
   void search(const Particles<Dim>& s);
 
-  /// Evaluates the forces at the current positions and their impulses over `dt` (in s).
+  /// Forces at the current positions and their impulses over `dt` (in s).
   void evaluate(const Particles<Dim>& s, double dt, int threads);
 
-  /// Stiffness of contact between faces relative to the material, at least 1; otherwise 1.
+  /// Stiffness of face contact relative to the material, at least 1; otherwise 1.
   double stiffening() const { return mechanism_->stiffening(); }
 
-  /// Last evaluated force. Requires `acting`.
+  /// Last evaluated. Requires `acting`.
   const V& force(int i) const { return force_[i]; }
 
   /// Calls `change(i, impulse)` for touching particles if the law has impulses. To conserve angular momentum, impulses
-  /// act at the positions of `gone` seconds ago, as the forces did. `inverse_mass(i)`: 1/kg, 0 if immovable.
+  /// act at the positions of `gone` seconds ago. `inverse_mass(i)`: 1/kg, 0 if immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {

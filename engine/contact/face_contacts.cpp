@@ -63,8 +63,8 @@ void FaceContacts::place_watched(const Particles<2>& s) {
   for (const int k : candidates_.watched_segments) faces_.set_normal(k);
 }
 
-/// Calls f(node, closest point, touch) at least for nodes that face a segment within `greatest_depth`. If both sides
-/// of a corner are equally near, each counts half, which preserves symmetry.
+/// Calls f(node, closest point, touch) at least for nodes that face a segment within `greatest_depth`. If both sides of
+/// a corner are equally near, each counts half.
 template <class F>
 void FaceContacts::for_each_touch(const NearFaces& near, const F& f) const {
   std::vector<double> distance2;  // [segment] m²

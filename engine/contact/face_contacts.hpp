@@ -15,9 +15,8 @@
 
 namespace taut {
 
-/// Contact between overlapping faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point
-/// of the other face. The force is proportional to the length of the node's two half segments, as far as they face this
-/// point. Conserves linear and angular momentum.
+/// Contact of faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point of the other face.
+/// The force is proportional to the facing length of the node's half segments. Conserves linear and angular momentum.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -33,7 +32,7 @@ class FaceContacts final : public ContactMechanism<2> {
   V between(const Particles<2>& s, int a, int b) const override;
   V of_wall(const Particles<2>& s, int a, int wall, const WallContacts<2>& walls) const override;
 
-  /// Least distance between nodes and faces of two bodies, m; negative for an overlap, at most one spacing.
+  /// Least distance between nodes and faces, m; negative for an overlap, at most one spacing.
   double gap(const Particles<2>& s, int a, int b);
 
   void serialize(Saver& archive, int particles, const WallContacts<2>& walls) override {
@@ -49,7 +48,7 @@ class FaceContacts final : public ContactMechanism<2> {
  private:
   // in spacings
   static constexpr double reach = 1;        // greatest depth
-  static constexpr double own_reach = 1.2;  // greatest depth within a body of finite elements
+  static constexpr double own_reach = 1.2;  // within a body of finite elements
   static constexpr double tie = 1e-6;       // round-off of equal distances
 
   void refuse_thin(const Scene& scene) const;
@@ -60,7 +59,7 @@ class FaceContacts final : public ContactMechanism<2> {
   void for_each_wall(const WallContacts<2>& walls, const F& f) const;
   bool fades(const NearFaces& near) const { return has_mesh_ && &near == &candidates_.own_faces; }
   double greatest_depth(const NearFaces& near) const { return (fades(near) ? own_reach : reach) * dp_; }  // m
-  /// Depth at which the contact has faded, m.
+  /// Depth of full fading, m.
   double faded(const NearFaces& near) const {
     return fades(near) ? own_reach * dp_ : std::numeric_limits<double>::infinity();
   }

@@ -46,7 +46,7 @@ class FaceSearch {
           const V d = x - middles_[at];
           const double apart2 = dot(d, d);
           if (apart2 >= (beyond + half) * (beyond + half) || !wanted(node, segments[at])) continue;
-          const double distance = std::sqrt(apart2) - half;  // lower bound
+          const double distance = std::sqrt(apart2) - half;
           if (distance < listed)
             out.segment.push_back(segments[at]);
           else
@@ -60,7 +60,7 @@ class FaceSearch {
   }
 
  private:
-  /// Sorts midpoints and nodes by cell. Returns the length of the longest segment, m.
+  /// Returns the length of the longest segment, m.
   double sort_middles(const MovingFaces& faces, const std::vector<int>& nodes,
                       const std::vector<int>& segments, double horizon) {
     middles_.clear();

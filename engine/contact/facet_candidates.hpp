@@ -16,7 +16,6 @@
 
 namespace taut {
 
-/// Contact candidates in 3D: pairs of facets and facets near walls.
 class FacetCandidates {
  public:
   using V = Vec<double, 3>;
@@ -66,13 +65,13 @@ class FacetCandidates {
  private:
   // lengths in spacings
   static constexpr double skin = 1.4;
-  static constexpr double horizon = 4.25;    // search range
-  static constexpr double cluster = 4;       // width of clusters of facets
+  static constexpr double horizon = 4.25;
+  static constexpr double cluster = 4;       // width of facet clusters
   static constexpr double far_apart = 4;     // least initial distance along a face or across a gap
   static constexpr double far_inside = 8;    // least initial distance through the body
   static constexpr double flat = 1e-6;       // round-off of facets in one plane
-  static constexpr double aside = 0.5;       // greatest cosine of the normals of a candidate
-  static constexpr double turn_slack = 0.5;  // for rotation of facets about their particles
+  static constexpr double aside = 0.5;       // greatest cosine of the normals
+  static constexpr double turn_slack = 0.5;  // for rotation of facets
 
   void search_others(const Particles<3>& s, MovingFacets& facets, const WallContacts<3>& walls) {
     constexpr double margin = horizon + 2;  // 2: each particle is within a spacing of its facet
@@ -137,7 +136,7 @@ class FacetCandidates {
   FacetPairs near_;
   std::vector<int> nodes_;          // all
   std::vector<V> normal_;           // [facet] initial unit normal
-  std::vector<V> particle_places_;  // [facet] position of the particle behind it, m
+  std::vector<V> particle_places_;  // [facet] m
   std::vector<std::pair<int, int>> others_, own_, found_;
   MotionBound<3> others_bound_, own_bound_;
 };

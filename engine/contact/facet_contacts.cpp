@@ -69,8 +69,7 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// Calls f(row of the other facet, pair) for each row in first[0] … first[count − 1] that contributes to the mean depth
-/// of `row`.
+/// Calls f(other row, pair) for each of the rows `first` that contributes to the mean depth of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];
@@ -100,8 +99,8 @@ void FacetContacts::for_each_pair(int row, const int* first, int count, const F&
   }
 }
 
-/// Calls f(facet, wall, depth, projected share, k) for facets that are behind a wall and face it. `depth`: overlap with
-/// the mirror image, m.
+/// Calls f(facet, wall, depth, projected share, k) for facets behind a wall that face it. `depth`: overlap with the
+/// mirror image, m.
 template <class F>
 void FacetContacts::for_each_wall(const WallContacts<3>& walls, const F& f) const {
   for (const auto& [facet, wall] : candidates_.near_wall) {
@@ -145,7 +144,6 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
-/// Derivatives of the energy of all contacts by the position, normal and area of a facet.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];

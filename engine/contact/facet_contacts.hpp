@@ -88,7 +88,7 @@ class FacetContacts final : public ContactMechanism<3> {
   void for_each_wall(const WallContacts<3>& walls, const F& f) const;
 
   double dp_, stiffness_;
-  double hardening_ = 1;  // greatest ratio of the stiffness to the stiffness at first touch
+  double hardening_ = 1;  // greatest stiffness, relative to first touch
   int threads_ = 1;
   MovingFacets facets_;
   std::vector<double> M_;  // [facet] K + 4G/3, Pa
@@ -100,7 +100,7 @@ class FacetContacts final : public ContactMechanism<3> {
   std::vector<int> near_;                    // rows in range of row r, from begin_[r] on
   std::vector<MovingFacets::Slope> slopes_;  // [row]
   std::vector<int> watched_;                 // facets, ascending
-  std::vector<int> nodes_;                   // nodes of the facets in `watched_`
+  std::vector<int> nodes_;                   // of `watched_`
   std::vector<V> force_;                     // [node] N
 };
 

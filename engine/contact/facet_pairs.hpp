@@ -47,7 +47,6 @@ inline int find_near_facets(const FacetColumns& facets, int p, int first, int la
   return count;
 }
 
-/// Finds pairs of near facets with different normals.
 class FacetPairs {
  public:
   using V = Vec<double, 3>;
@@ -87,7 +86,7 @@ class FacetPairs {
     double cosine;           // greatest cosine of the normals
   };
   /// Calls found(f, g) once for each pair with wanted(f, g) nearer than `listed`. Returns the distance of the nearest
-  /// other wanted pair, at most `horizon`, in m. `candidates`: facets in the order of `order()`.
+  /// other wanted pair, at most `horizon`, in m. `candidates`: in the order of `order()`.
   template <PairsOf kind, class Wanted, class Found>
   double find(const MovingFacets& facets, const std::vector<int>& candidates, const Limits& limits,
               const Wanted& wanted, const Found& found) {
@@ -110,7 +109,7 @@ class FacetPairs {
  private:
   struct Cluster {
     V low, high;    // m
-    V normal;       // mean of the normals
+    V normal;       // mean
     double spread;  // greatest deviation from `normal`
   };
 

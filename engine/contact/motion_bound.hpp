@@ -11,8 +11,8 @@
 
 namespace taut {
 
-/// Bounds the approach of two points since the last search. The bound is twice the path of the fastest point.
-/// `still_holds` replaces this path by the greatest deviation from the rigid motion of each body.
+/// Bounds the approach of two points since the last search by twice the path of the fastest point. `still_holds`
+/// replaces this path by the greatest deviation from the rigid motion of each body.
 template <int Dim>
 class MotionBound {
  public:

@@ -13,12 +13,12 @@
 
 namespace taut {
 
-/// Half of a side, next to a node, and the share of this half that faces a segment.
+/// Half of a side, next to a node, and its share that faces a segment.
 struct FacingHalf {
   int side = Outline::none;
   double half = 0;              // initial length, m
   double share = 0, slope = 0;  // facing_share and its derivative by the cosine
-  /// Place on the side above each sharp end of the segment: 0 at the node, 1 at the far end of the side.
+  /// Place on the side above each sharp end of the segment: 0 at the node, 1 at the far end.
   std::array<double, 2> at{};
   std::array<double, 2> over{1, 1};  // share of the half inside each end, smoothed
   std::array<double, 2> rise{};      // derivative of `over` by `at`
@@ -42,7 +42,6 @@ struct ClosestPoint {
   double area() const { return weight * (halves[0].area() + halves[1].area()); }  // m
 };
 
-/// Current positions of the faces of layout/outline.hpp.
 class MovingFaces {
  public:
   using V = Vec<double, 2>;
@@ -119,7 +118,7 @@ class MovingFaces {
     return dot(offset, offset);
   }
 
-  /// Sum over the sides at the node: half the initial length times facing_share, m.
+  /// Initial length of the node's half sides, times facing_share, m.
   double facing(int node, const V& normal) const {
     double area = 0;
     for (const int k : outline_.beside[node])
@@ -137,10 +136,9 @@ class MovingFaces {
           turn(k, normal, energy * 0.5 * outline_.segments[k].length * slope, give);
   }
 
-  /// Replaces `best` by the closest point of segment k if the node faces the segment and this point has a lower rank.
-  /// The rank is the distance plus up to half the segment's length for oblique sides: a corner is pushed back by the
-  /// face in front of it, not by the face beside it. Beyond a sharp end, the distance is the depth of the node's side at
-  /// this end.
+  /// Replaces `best` by the closest point of segment k if the node faces the segment and the rank is lower. The rank is
+  /// the distance plus up to half the segment's length for oblique sides: a corner is pushed back by the face in front
+  /// of it, not beside it. Beyond a sharp end, the distance is the depth of the node's side at this end.
   void measure(int node, int k, ClosestPoint& best) const {
     const std::array<int, 2>& end = outline_.segments[k].node;
     const V t = place_[end[1]] - place_[end[0]], d = place_[node] - place_[end[0]];
@@ -172,8 +170,7 @@ class MovingFaces {
     V out;
     double share = 1, cosine = 0, slope = 0;
   };
-  /// At blunt ends the sign of the depth depends on `cosine`. With `fades` the energy does not jump there, so that the
-  /// flanks of a crease gain no energy.
+  /// With `fades` the energy does not jump at blunt ends, so that the flanks of a crease gain no energy.
   Touch touch(const ClosestPoint& closest, bool fades = false) const {
     if (is_beyond(closest)) {
       const FacingHalf& half = closest.halves[closest.halves[0].side == Outline::none ? 1 : 0];
@@ -198,8 +195,8 @@ class MovingFaces {
   double energy(const ClosestPoint& closest, const Touch& touch, double k, double reach) const {  // J
     return touch.share * near_energy(touch.depth, closest.area(), k, reach);
   }
-  /// Calls own(n, f) with forces on the face of the node and other(n, f) with forces on the face of the segment, in N.
-  /// `k`: contact stiffness, Pa/m; `reach`: depth at which contact has faded, m.
+  /// Calls own(n, f) with forces on the node's face and other(n, f) with forces on the segment's face, in N. `k`:
+  /// stiffness, Pa/m; `reach`: depth at which contact has faded, m.
   template <class Own, class Other>
   void push(const ClosestPoint& closest, const Touch& touch, double k, double reach, const Own& own,
             const Other& other) const {
@@ -272,7 +269,7 @@ class MovingFaces {
     return h;
   }
 
-  /// Sum of the normals of the segments at an end of segment k.
+  /// Not a unit vector.
   V normal_at_end(int k, bool second) const {
     const int next = outline_.beside[outline_.segments[k].node[second]][second];
     return next == Outline::none ? normal_of(k) : normal_of(k) + normal_of(next);
@@ -366,7 +363,7 @@ class MovingFaces {
 
   Outline outline_;
   std::vector<std::array<bool, 2>> sharp_;  // [segment][end]
-  std::vector<int> stored_;                 // [share] storage index of its particle
+  std::vector<int> stored_;                 // [share] storage index
   std::vector<int> main_share_;             // [node] share of greatest weight
   std::vector<V> place_;                    // [node] m
   std::vector<V> normal_;                   // [segment]

@@ -19,8 +19,7 @@ inline std::vector<int> indices_of(const std::vector<char>& seen) {
   return indices;
 }
 
-/// Current positions of the facets of layout/surface_mesh.hpp. The midpoint of a facet is the mean of its nodes plus
-/// the bulge along the normal.
+/// The midpoint of a facet is the mean of its nodes plus the bulge along the normal.
 class MovingFacets {
  public:
   using V = Vec<double, 3>;
@@ -29,7 +28,7 @@ class MovingFacets {
     V middle{}, normal{};  // m; outward unit vector
     double area = 0;       // m²
   };
-  /// Derivatives of an energy by middle, normal and area: N, N m, N/m.
+  /// Derivatives of an energy: N, N m, N/m.
   struct Slope {
     V middle{}, normal{};
     double area = 0;
@@ -123,8 +122,8 @@ class MovingFacets {
   }
 
   SurfaceMesh mesh_;
-  std::vector<int> stored_;             // [share] storage index of its particle
-  std::vector<int> particle_of_facet_;  // [facet] storage index of the particle behind it
+  std::vector<int> stored_;             // [share] storage index
+  std::vector<int> particle_of_facet_;  // [facet] storage index
   std::vector<V> x_;                    // [node] m
   std::vector<Place> place_;
 };

@@ -56,7 +56,7 @@ class OwnPairs {
  private:
   // in spacings
   static constexpr double skin = 1;
-  static constexpr double horizon = 4;    // search range
+  static constexpr double horizon = 4;
   static constexpr double far_apart = 4;  // least initial distance
 
   void place(const Particles<Dim>& s) {
@@ -93,7 +93,7 @@ class OwnPairs {
   double dp_, reach_;     // m
   std::vector<int> ids_;  // ascending
   PointSearch<Dim> search_;
-  std::vector<V> x_;  // current positions, m
+  std::vector<V> x_;  // m
   std::vector<int> stored_;
   MotionBound<Dim> bound_;
   std::vector<std::pair<int, int>> found_;

@@ -13,11 +13,10 @@
 
 namespace taut {
 
-/// Contact candidates: pairs of particles, and particles near walls.
 template <int Dim>
 class PairCandidates {
  public:
-  /// `reach`: range of pairs of two bodies, m; only gap probes need pairs beyond one spacing.
+  /// `reach`: range of pairs of two bodies, m.
   PairCandidates(const SolverInput& input, bool between_bodies, double reach)
       : between_bodies_(between_bodies),
         dp_(input.constants.dp),

@@ -33,7 +33,7 @@ double PairContacts<Dim>::modulus(const Particles<Dim>& s, int i, int j) const {
   return contact_modulus(K_[s.id[i]], K_[s.id[j]], stiffness_);
 }
 
-/// Calls f(j, x_ij, r) for each particle j that touched particle i `gone` seconds ago. x_ij and r are of that time.
+/// Calls f(j, x_ij, r) for each particle j that touched particle i `gone` seconds ago, with x_ij and r of that time.
 template <int Dim>
 template <class F>
 void PairContacts<Dim>::for_each_touch(const Particles<Dim>& s, int i, double gone, const F& f) const {

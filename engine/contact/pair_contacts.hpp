@@ -11,10 +11,9 @@
 
 namespace taut {
 
-/// Contact of particles less than a spacing apart, of two bodies or of distant parts of one body. Forces are equal and
-/// opposite along the pair. Departures of `stop_approach` from [Khayyer2024] Eq. 53–54: the approach of the new
-/// velocities is stopped, since pressed faces would otherwise creep into each other; the contact distance is one
-/// spacing, as the paper gives none.
+/// Contact of particles less than a spacing apart, of two bodies or of distant parts of one body. Departures of
+/// `stop_approach` from [Khayyer2024] Eq. 53–54: the approach of the new velocities is stopped, since pressed faces
+/// would otherwise creep into each other; the contact distance is one spacing, as the paper gives none.
 template <int Dim>
 class PairContacts final : public ContactMechanism<Dim> {
  public:
@@ -64,7 +63,7 @@ class PairContacts final : public ContactMechanism<Dim> {
   double stiffness_;       // contact modulus over K1 K2/(K1 + K2)
   std::vector<double> K_;  // [id] Pa
   PairCandidates<Dim> candidates_;
-  std::vector<std::vector<V>> recorded_impulses_;  // [body][other body, then wall] N s, for probes
+  std::vector<std::vector<V>> recorded_impulses_;  // [body][other body, then wall] N s
 };
 
 }  // namespace taut

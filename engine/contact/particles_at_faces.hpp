@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// Ids of particles at faces, ascending: in 2D the particles of the nodes of layout/outline.hpp, in 3D particles with
-/// fewer than 26 neighbours within 1.8 spacings, in a mesh the nodes on its boundary.
+/// Ids, ascending: in 2D the particles of the nodes of layout/outline.hpp, in 3D particles with fewer than 26
+/// neighbours within 1.8 spacings, in a mesh the nodes on its boundary.
 std::vector<int> particles_at_faces(const Scene& scene, const InitialParticles& initial);
 
 }  // namespace taut

@@ -96,7 +96,7 @@ class PointSearch {
     }
   }
 
-  std::vector<V> X_;       // initial positions, m
+  std::vector<V> X_;       // initial, m
   std::vector<int> body_;  // ascending
   CellGrid<Dim> grid_;
   std::vector<int> order_;

@@ -26,7 +26,7 @@ class WallContacts {
   bool any() const { return !planes_.empty(); }
   int count() const { return static_cast<int>(planes_.size()); }
   const V& normal(int wall) const { return planes_[wall].normal; }  // unit vector towards the bodies
-  double height(int wall, const V& x) const {                       // of x above the wall, m
+  double height(int wall, const V& x) const {                       // above the wall, m
     return dot(x - planes_[wall].at, planes_[wall].normal);
   }
 

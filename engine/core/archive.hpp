@@ -20,7 +20,7 @@ namespace taut {
 template <class T>
 concept Count = std::integral<T> && !std::same_as<T, bool>;
 
-/// Whether 0 ≤ value < bound; pairs are compared componentwise.
+/// Whether 0 ≤ value < bound.
 template <Count T, Count Bound>
 bool is_below(T value, Bound bound) {
   return std::cmp_greater_equal(value, 0) && std::cmp_less(value, bound);
@@ -37,9 +37,9 @@ bool are_rows(const std::vector<T>& begin, std::size_t rows, std::size_t entries
          std::is_sorted(begin.begin(), begin.end());
 }
 
-/// Common part of Saver and Loader. A class lists its members in `serialize(Archive&)`; a struct without it is copied
-/// bytewise and must contain only numbers. A state is valid for one machine and build only. Loaded data is untrusted:
-/// values that address memory must be listed with `fixed`, `indices`, `rows` or `check`.
+/// A class lists its members in `serialize(Archive&)`; a struct without it is copied bytewise and must contain only
+/// numbers. A state is valid for one machine and build only. Loaded data is untrusted: values that address memory must
+/// be listed with `fixed`, `indices`, `rows` or `check`.
 template <class Side>
 class Archive {
  public:
@@ -111,7 +111,7 @@ class Archive {
     if (is_copied<T> || values.size() > size) values.resize(size);
     elements(values, size);
   }
-  /// Not inlined, so that the portable build has its own copy: the linker could otherwise call one of an AVX build.
+  /// Not inlined: the portable build could otherwise call the copy of an AVX build.
   template <class T>
   [[gnu::noinline]] void one_fixed(std::vector<T>& values) {
     const std::size_t size = side().length(values.size(), 1);

@@ -81,7 +81,7 @@ void put(const Mat<Pack, Dim>& A, const ColumnsView<Dim * Dim>& columns, int fir
     for (int b = 0; b < Dim; ++b) store(A(a, b), columns[a * Dim + b] + first);
 }
 
-/// Loads the first `count` of four vectors; the other lanes are 0.
+/// Lanes from `count` on are 0.
 template <int Dim>
 Vec<Pack, Dim> load_four(const Vec<double, Dim>* rows, int count) {
   Vec<Pack, Dim> v{};

@@ -6,7 +6,7 @@
 namespace taut {
 
 /// Reserves room for `more` entries: first twice the need, later the total extrapolated from `done` of `all`
-/// contributions, since each reallocation needs memory for two copies.
+/// contributions.
 template <class List>
 void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
   constexpr std::size_t extrapolation_part = 16;

@@ -5,8 +5,8 @@
 #include "engine/core/machine.hpp"
 #include "engine/settings.hpp"
 
-/// Kernels are loops on plain data, compiled once per instruction set. Builds for AVX rename the namespace by a macro
-/// `taut`, so that the linker does not merge inline functions of two builds.
+/// Kernels are loops on plain data, compiled once per instruction set. In AVX builds a macro `taut` renames the
+/// namespace, so that the linker merges no inline functions of two builds.
 namespace taut {
 
 /// Must differ from all values of Family.

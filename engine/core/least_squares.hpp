@@ -14,7 +14,7 @@ LeastSquares least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// Gram matrix or right-hand sides.
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 15, 15>;
 
-/// Returns G⁻¹ B for G = Aᵀ A; empty if G is ill-conditioned.
+/// G⁻¹ B for G = Aᵀ A; empty if G is ill-conditioned.
 Gram solved_by_gram(const Gram& G, const Gram& B);
 
 }  // namespace taut

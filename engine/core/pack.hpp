@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Four doubles. Results are bit-identical with and without AVX.
+/// Results are bit-identical with and without AVX.
 inline constexpr int lanes = 4;
 typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
 typedef long long PackIndex __attribute__((vector_size(lanes * sizeof(long long))));
@@ -15,7 +15,7 @@ inline constexpr Pack one = {1, 1, 1, 1};
 
 typedef double UnalignedPack __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
 inline Pack load(const double* from) { return *reinterpret_cast<const UnalignedPack*>(from); }
-/// Loads `count` doubles; other lanes are 0.
+/// Other lanes are 0.
 inline Pack load(const double* from, int count) {
   Pack a{};
   for (int lane = 0; lane < lanes && lane < count; ++lane) a[lane] = from[lane];
@@ -28,7 +28,7 @@ struct AlignedPack {
   alignas(lanes * sizeof(double)) Pack value;
 };
 
-/// Pack of floats: relative error 6e-8 from 1e-37 to 1e38.
+/// Relative error 6e-8 from 1e-37 to 1e38.
 struct HalfPack {
   typedef float Floats __attribute__((vector_size(lanes * sizeof(float))));
   alignas(lanes * sizeof(float)) Floats value;
@@ -77,7 +77,7 @@ inline Pack max(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a
 #endif
 /// Maximum; NaN if either is NaN.
 inline Pack max_or_nan(const Pack& a, const Pack& b) { return ((b <= a) | (a != a)) ? a : b; }
-/// Greatest lane; NaN if any is NaN.
+/// NaN if any lane is NaN.
 inline double greatest(const Pack& a) {
   double most = a[0];
   for (int lane = 1; lane < lanes; ++lane)
@@ -91,7 +91,7 @@ T power(const T& a) {
   for (int k = 1; k < N; ++k) r *= a;
   return r;
 }
-/// aⁿ for n ≥ 0, by squares and roots: a library call would spill a loop's registers.
+/// aⁿ for n ≥ 0; a library call would spill a loop's registers.
 inline Pack power(const Pack& a, double n) {
   if (n == 4) return (a * a) * (a * a);
   const auto whole = static_cast<unsigned>(n);
@@ -152,7 +152,7 @@ struct RowsOfFour {
   }
 };
 
-/// Transposes the first `Columns` doubles of rows j[0…3]. `table` has `Stride` doubles per row.
+/// Transposes the first `Columns` doubles of rows j[0…3].
 template <int Columns, int Stride = Columns>
 [[gnu::always_inline]] inline void gather(const double* table, const int* j, Pack* out) {
   static_assert(Stride % 2 == 0);

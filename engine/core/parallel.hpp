@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Maximum; NaN if either is NaN.
+/// NaN if either is NaN.
 inline double greater(double a, double b) { return b <= a || a != a ? a : b; }
 
 inline int chunks_of(int n, int threads) {
@@ -71,7 +71,7 @@ void make_in_order(int n, int threads, const Make& make, const Take& take) {
   }
 }
 
-/// Maximum of 0 and all f(i), NaN if any is NaN; independent of `threads`.
+/// Maximum of 0 and all f(i), NaN if any is NaN.
 template <class F>
 double parallel_max(int n, const Threads& threads, const F& f) {
   std::atomic<double> result = 0;

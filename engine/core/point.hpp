@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Point or vector in SI units; unused components are 0.
+/// Point or vector; unused components are 0.
 using Point = std::array<double, 3>;
 
 inline double distance_between(const Point& a, const Point& b, int dim) {

@@ -13,7 +13,7 @@
 namespace taut {
 
 /// Helper threads that share their owner's loops. A sleeping helper delays no loop. Each thread begins with its own
-/// part of a loop, so that the data of this part stay in its cache.
+/// part of a loop, so that its data stay cached.
 class Team {
  public:
   static constexpr int most_threads = 1000, most_chunks = Threads::most_chunks;

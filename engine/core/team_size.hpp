@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// Chooses the number of threads of the next step: all, or one if more do not help. Compares blocks of steps on all
-/// threads with a block on one thread. After a slower block, one thread continues, longer after repeated failures.
+/// Chooses all threads for the next step, or one if more do not help. Compares blocks of steps on all threads with a
+/// block on one thread. After a slower block, one thread continues, longer after repeated failures.
 class TeamSize {
  public:
   explicit TeamSize(int most) : most_(most) {}

@@ -7,7 +7,7 @@
 /// Small vectors and tensors; not Eigen's, whose alignment depends on the instruction set.
 namespace taut {
 
-/// Alignment, equal in all builds.
+/// Equal in all builds.
 template <class T>
 inline constexpr std::size_t alignment_of = sizeof(T) == sizeof(Pack) ? sizeof(Pack) : alignof(T);
 
@@ -85,7 +85,7 @@ struct Mat {
   }
 };
 
-/// Upper triangle: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+/// Upper triangle, row by row.
 template <class T, int Dim>
 struct Sym {
   static constexpr int size = Dim * (Dim + 1) / 2;

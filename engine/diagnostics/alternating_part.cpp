@@ -29,7 +29,7 @@ constexpr double reach = 2.1;  // in dp
 /// Least |(I − P) e_i|² of a particle with weights.
 constexpr double least_left = 0.3;
 
-/// κ (THEORY.md, Alternating part).
+/// κ (THEORY.md).
 double scale(int dim) { return dim == 3 ? std::sqrt(207.0 / 170) * 85 / 128 : std::sqrt(11.0 / 8) / 2; }
 
 bool alike(const Snapshot& now, std::size_t i, std::size_t j) {
@@ -107,7 +107,7 @@ Eigen::MatrixXd quadratics(const Snapshot& start, std::span<const int> near, dou
   return M;
 }
 
-/// κ (I − P) e_i / |(I − P) e_i|; empty if |(I − P) e_i|² is below `least_left`.
+/// κ (I − P) e_i / |(I − P) e_i|; empty below `least_left`.
 Eigen::VectorXd row(const Eigen::MatrixXd& quadratics, double kappa) {
   const Eigen::VectorXd e_i = Eigen::VectorXd::Unit(quadratics.rows(), 0);
   const Gram G = quadratics.transpose().lazyProduct(quadratics);
@@ -131,7 +131,6 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
-/// In 3D equal rows share weights: lattices have few different rows.
 class Rows {
  public:
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Alternating part of a field, r_i = Σ_j w_ij q_j (THEORY.md, Alternating part).
+/// Alternating part r_i = Σ_j w_ij q_j (THEORY.md).
 struct AlternatingPart {
   std::vector<int> begin;         // [row + 1] first entry
   std::vector<int> j;             // [entry] particle
@@ -20,7 +20,7 @@ struct AlternatingPart {
 
 AlternatingPart alternating_part(const Snapshot& start, double spacing, int threads = 1);
 
-/// Sums of squares, m² and Pa².
+/// m² and Pa².
 struct SquareSums {
   double x = 0, p = 0, von_mises = 0;
 };

@@ -13,8 +13,8 @@ struct Balance {
   double momentum_scale = 0;       // Σ |m v|, kg m/s
   double angular_scale = 0;        // Σ m |x| |v|, kg m²/s
   double work = 0;                 // of drives, loads and gravity so far, J
-  double damped = 0;               // energy removed by damping, J
-  Impulse of_walls;                // impulses so far
+  double damped = 0;               // J
+  Impulse of_walls;                // so far
 };
 
 Balance balance(const Snapshot& now, const Scene& scene);

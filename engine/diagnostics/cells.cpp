@@ -98,7 +98,7 @@ void Cells::find_ends(std::size_t i, double diameter) {
     }
   }
   const auto one_open = [&](std::size_t k) { return (half[k][0] < open) != (half[k][1] < open); };
-  // at most about half of a cell lies in the body if its particle is on the boundary
+  // at most about half of the cell of a boundary particle lies in the body
   const double part = std::pow(diameter / cell.spacing, static_cast<double>(dim_));
   const bool on_boundary = part < 0.75;
   cell.inside = true;

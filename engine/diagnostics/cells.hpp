@@ -9,20 +9,19 @@
 
 namespace taut {
 
-/// Cells as parallelograms, in 3D parallelepipeds.
 struct CellShapes {
   std::vector<std::size_t> particle;  // [cell]
   std::vector<double> centre;         // [cell] dim coordinates, m
   std::vector<double> edge;           // [cell] dim vectors, m
 };
 
-/// Cells of particles, initially boxes. Each cell moves with the best affine map of the initial neighbours.
+/// Cells are initially boxes. Each cell moves with the best affine map of the initial neighbours.
 class Cells {
  public:
   /// `x0`: n × dim, m; `diameter` in m.
   Cells(int dim, std::span<const double> x0, std::span<const double> diameter, std::span<const int> body);
 
-  /// Copies axes and ends of the cells `shown` of `all`.
+  /// Copies axes and ends.
   void take_ends(const Cells& all, std::span<const std::size_t> shown);
 
   /// Shapes at positions `x`, n × dim, m; in 3D without hidden cells.

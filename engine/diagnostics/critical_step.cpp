@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kick = 1e-6;                   // of c0
 constexpr double allowed_speed = 1e-3;          // of c0; the energy of this speed is added to the limit
-constexpr double allowed_energy = 100;          // multiple of the received energy
-constexpr int stretch = 16;                     // steps between two checks
+constexpr double allowed_energy = 100;          // of the received energy
+constexpr int stretch = 16;                     // steps between checks
 constexpr int least_steps = 300;                // enough to detect a step 1e-4 above the leap-frog limit
 constexpr double most = 256, least = 1.0 / 16;  // of the default step
 

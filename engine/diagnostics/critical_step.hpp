@@ -15,16 +15,15 @@ struct CriticalStepSearch {
 };
 
 struct CriticalStep {
-  std::optional<double> stable;    // greatest stable step found, s
-  std::optional<double> unstable;  // least unstable step found, s
-  double default_step = 0;         // of the method, s
+  std::optional<double> stable;    // greatest found, s
+  std::optional<double> unstable;  // least found, s
+  double default_step = 0;         // s
   double covered = 0;              // least duration of a trial, s
   int trials = 0;
   bool interrupted = false;  // before reaching `tolerance`
 };
 
-/// Bisects over fixed steps with random initial velocities (THEORY.md, Critical step). The search ends when `goes_on`
-/// returns false. Throws the same errors as make_simulation.
+/// Bisects over fixed steps with random initial velocities (THEORY.md). Throws the errors of make_simulation.
 CriticalStep find_critical_step(
     const Scene& scene, const Settings& settings, const CriticalStepSearch& search = {},
     const std::function<bool(const CriticalStep&)>& goes_on = [](const CriticalStep&) { return true; });

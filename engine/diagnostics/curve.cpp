@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-/// Vertex (time, value) of the parabola through samples k − 1, k, k + 1; sample k if they are collinear.
+/// Vertex (time, value) of the parabola through samples k − 1, k, k + 1.
 std::pair<double, double> vertex(const Curve& c, std::size_t k) {
   const double before = (c.y[k] - c.y[k - 1]) / (c.t[k] - c.t[k - 1]);
   const double after = (c.y[k + 1] - c.y[k]) / (c.t[k + 1] - c.t[k]);

@@ -7,10 +7,9 @@
 
 namespace taut {
 
-/// Samples of a quantity over time.
 struct Curve {
   std::span<const double> t, y;
-  bool of_steps = false;  // samples are means over steps
+  bool of_steps = false;  // means over steps
 
   std::size_t size() const { return t.size(); }
 };

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Sum s:s, with s_zz in 2D.
+/// s:s, with s_zz in 2D.
 template <int Dim>
 double contracted(const double* s) {
   if constexpr (Dim == 3)  // xx, xy, xz, yy, yz, zz

@@ -23,7 +23,7 @@ struct Field {
   double (*of_map)(const LinearMap& F) = nullptr;  // instead of `of_state`
   double middle = 0;
   Counted counts = Counted::nothing;
-  std::vector<double> (*of_all)(const Snapshot&) = nullptr;  // for all particles
+  std::vector<double> (*of_all)(const Snapshot&) = nullptr;
 
   /// `evaluate` is faster for many particles.
   double value(const Snapshot& now, std::size_t particle) const;

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Ratio `part`/`whole` that shows a kind of failure.
+/// Ratio `part`/`whole`.
 struct Indicator {
   std::string_view key;
   std::string_view part, whole;
@@ -22,23 +22,23 @@ inline constexpr std::array indicators = {
 };
 
 struct Reading {
-  double part = 0, whole = 0;  // same unit
-  int particle = -1;           // centre of the worst patch; −1: none
+  double part = 0, whole = 0;
+  int particle = -1;  // centre of the worst patch; −1: none
   double share() const { return part == 0 ? 0 : part / whole; }
 };
 using Readings = std::array<Reading, indicators.size()>;
 
 struct IndicatorRecord {
   double greatest_part = 0, greatest_whole = 0;
-  double at = 0;       // time of the greatest part, s
-  long particle = -1;  // see Reading
-  double last = 0;     // share
+  double at = 0;  // of the greatest part, s
+  long particle = -1;
+  double last = 0;  // share
   /// Relative to the greatest whole: noise in unloaded bodies counts little.
   double greatest() const { return Reading{greatest_part, greatest_whole}.share(); }
   void take(const Reading& now, double time);
 };
 
-/// Evaluates the indicators (THEORY.md). hourglass_error departs from [Ganzenmueller2015].
+/// hourglass_error departs from [Ganzenmueller2015] (THEORY.md).
 class IndicatorGauge {
  public:
   IndicatorGauge(const Scene& scene, const Snapshot& start, int threads = 1);

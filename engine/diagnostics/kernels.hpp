@@ -38,8 +38,8 @@ struct HistoryKernels {
   /// Writes AlternatingSums::part and then `whole` to `out`, and AlternatingSums::x to `squared`.
   void (*alternating_sums)(const AlternatingView& part, const SnapshotView& now, double spacing, double* out,
                            double* squared);
-  /// Writes 10 numbers: kinetic energy, strain plus contact energy, scales of linear and angular momentum, linear
-  /// momentum (3), angular momentum (3).
+  /// Writes 10 numbers: kinetic energy, strain plus contact energy, momentum_scale, angular_scale, linear momentum (3),
+  /// angular momentum (3).
   void (*balance)(const SnapshotView& now, const StrainDivisors* materials, double contact_energy,
                   double* out);
 };

@@ -16,7 +16,7 @@ using LatticeSite = std::array<int, 3>;  // plane numbers
 using Vector = Eigen::Vector3d;
 using Corners = std::array<Vector, 8>;  // bit k: upper corner along axis k
 
-/// Plane numbers along one axis; gaps skip a number.
+/// Gaps skip a number.
 std::vector<int> planes(const std::vector<double>& x, double apart) {
   constexpr double widest = 1.5;
   std::vector<double> sorted = x, first;
@@ -54,14 +54,14 @@ std::map<LatticeSite, std::size_t> sites(const Snapshot& now, int body) {
   return at;
 }
 
-/// Integral of the Jacobian of the trilinear map; two Gauss points per axis are exact.
+/// Two Gauss points per axis are exact.
 double volume(const Corners& corner) {
   const double offset = 0.5 / std::sqrt(3.0);
   double sum = 0;
   for (unsigned point = 0; point < 8; ++point) {
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
     for (unsigned c = 0; c < 8; ++c) {
-      double value[3];  // hat function
+      double value[3];
       for (unsigned k = 0; k < 3; ++k) {
         const double at = 0.5 + ((point >> k & 1) ? offset : -offset);
         value[k] = (c >> k & 1) ? at : 1 - at;

@@ -20,7 +20,7 @@ struct LineSample {
   }
 };
 
-/// Position of point k; the initial one unless `in_space`.
+/// Initial position unless `in_space`.
 Point line_point(const SampleLine& line, int k);
 double length_of(const SampleLine& line);  // m
 
@@ -30,7 +30,7 @@ class LineRecorder {
   /// point.
   LineRecorder(const Scene& scene, const Snapshot& start, double support);
 
-  /// Next time to sample, s; may be infinite.
+  /// Next sampling time, s; may be infinite.
   double next() const;
   void sample(const Snapshot& now);
   const std::vector<std::vector<LineSample>>& samples() const { return samples_; }

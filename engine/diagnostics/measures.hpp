@@ -21,8 +21,8 @@ struct MeasureResult {
   std::string why;
 };
 
-/// Evaluates the scene's measures against the reference of law `law`. Series end before their first non-finite
-/// value. Throws SceneError for an unknown kind, probe or field.
+/// `law`: key of the reference. Series end before their first non-finite value. Throws SceneError for an unknown kind,
+/// probe or field.
 std::vector<MeasureResult> measure(const Scene& scene, const Series& series, std::string_view law,
                                    const std::vector<std::vector<LineSample>>& lines = {},
                                    const Snapshot* now = nullptr);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t padding = 4;
 
-/// Returns `n` evenly spaced samples minus their windowed linear fit, multiplied by the window.
+/// `n` evenly spaced samples minus their windowed linear fit, multiplied by the window.
 std::vector<double> windowed(const Curve& curve, double begin, double end, std::size_t n) {
   std::vector<double> window(n), y(n);
   double weights = 0, sum = 0, moment = 0, square = 0;  // Σ window · (1, y, s y, s²); s: −1 to 1
@@ -42,7 +42,7 @@ double vertex(double left, double middle, double right) {
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// Greatest height within 1/(end − begin) of each frequency. This bridges the zeros of the window's spectrum.
+/// Greatest height within 1/(end − begin) of each frequency, to bridge the window's zeros.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);
@@ -68,7 +68,7 @@ class Lines {
     for (std::size_t k = hull_.size(); k-- > 0;) above_[k] = least = std::min(least, hull_[k]);
   }
 
-  /// Whether a peak counts as a spectral line (THEORY.md, Peak frequency).
+  /// Whether a peak counts as a spectral line (THEORY.md).
   bool have(std::size_t k, double height) const {
     if (height <= floor_ || height <= of_highest(k) || k + width >= hull_.size()) return false;
     if (k <= slowest + width)

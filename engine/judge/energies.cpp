@@ -194,7 +194,7 @@ bool EnergyTest::diverges(const Snapshot& now) {
     const double least_strain = std::min(start_strain, 0.0);
 
     constexpr double margin = 1e4, of_start = 10;
-    constexpr double of_common_motion = 1e-12;  // share of the initial kinetic energy
+    constexpr double of_common_motion = 1e-12;  // of the initial kinetic energy
     constexpr double of_rest = 0.5e8;  // times the rounding energy: kinetic energy at 1e-4 sound speeds
     const double floor =
         margin * rounding_ * group.mass + of_common_motion * group.start_kinetic - of_start * least_strain;

@@ -8,19 +8,19 @@
 
 namespace taut {
 
-/// Greatest value of a ratio above its bound, and the first time above the bound.
+/// Greatest value and first time of a ratio above its bound.
 struct Excess {
   double greatest = 0;  // 0: never above
   double since = 0;     // s
 };
 
-/// Compares the energy of groups of bodies with the energy that they received (THEORY.md, Energies).
+/// Compares the energy of groups of bodies with their received energy (THEORY.md).
 class EnergyTest {
  public:
   /// `support`: range of interaction, m. The scene must outlive the test.
   EnergyTest(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors);
 
-  /// Returns whether a group diverges. Observations must be in the order of their times.
+  /// Call in the order of time.
   bool diverges(const Snapshot& now);
 
   /// Ratio of energy to received energy, where above 1.1.

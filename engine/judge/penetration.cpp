@@ -111,7 +111,7 @@ class Cells {
     }
   }
 
-  /// Calls visit(j) for each particle j within `radius` of x. Requires x inside the bounding box of the particles.
+  /// Calls visit(j) for each particle j within `radius` of x. Requires x inside the bounding box.
   template <class Visit>
   void for_each_around(const Vec<double, Dim>& x, Visit visit) const {
     grid_.for_each_row(x, [&](int first, int last) {

@@ -7,15 +7,13 @@
 
 namespace taut {
 
-/// Widest angle between neighbouring directions, rad; a full turn for fewer than two.
+/// Widest angle between neighbouring directions, rad.
 double widest_gap(std::span<double> directions);
 
-/// Finds particles inside another body, or inside a part of their own body that was initially far (THEORY.md,
-/// Penetration).
+/// Counts surface particles inside another body, or inside a part of their own body that was initially far (THEORY.md).
 class Penetration {
  public:
   Penetration(const Snapshot& start, double spacing, int threads = 1);
-  /// Returns the number of surface particles inside a body or part.
   int operator()(const Snapshot& now);
 
  private:
@@ -37,9 +35,9 @@ class Penetration {
   bool is_inside(const Snapshot& now, const Tested& tested, Around& around) const;
 
   double spacing_;            // m
-  std::vector<int> surface_;  // surface particles, ascending
+  std::vector<int> surface_;  // ascending
   std::vector<bool> on_surface_;
-  std::vector<double> at_search_;  // positions at the last search, as Snapshot::x
+  std::vector<double> at_search_;  // as Snapshot::x
   std::vector<Tested> tested_;
   std::vector<int> near_;  // far particles around the tested ones
 };

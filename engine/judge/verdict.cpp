@@ -149,7 +149,7 @@ double Judge::compliance(const Bond& bond, const Snapshot& now) const {
   return compliance_[now.material[bond.i]] + compliance_[now.material[bond.j]];
 }
 
-/// Whether the bond is stretched much more than its continuations, as across a crack.
+/// Whether the bond is stretched much more than its continuations.
 template <int Dim>
 bool Judge::stands_out(const Bond& bond, const Snapshot& now) const {
   constexpr double jump = 1.5, straight = 0.9;  // ratio of stretches; cosine
@@ -199,7 +199,7 @@ bool Judge::has_crack() const {
   return false;
 }
 
-/// Whether at most `around` unbroken bonds connect the ends of the bond.
+/// Whether at most `around` unbroken bonds connect the bond's ends.
 bool Judge::bypassed(int bond, std::vector<int>& seen) const {
   constexpr int around = 8;
   const auto [start, goal, broken] = bonds_[static_cast<std::size_t>(bond)];

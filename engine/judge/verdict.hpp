@@ -27,23 +27,23 @@ std::optional<Verdict> find_verdict(std::string_view name);
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Hourglass error above which the verdict is `hourglass`. Runs of [Zhang2024], [Khayyer2024] and [Lee2016] have less
-/// than 0.012 if the figures of the paper are smooth, and more than 0.04 if the figures show zigzags.
+/// Hourglass errors of runs of [Zhang2024], [Khayyer2024] and [Lee2016]: below 0.012 if the paper's figures are smooth,
+/// above 0.04 if they show zigzags.
 inline constexpr double hourglass_threshold = 0.03;
 
-/// Bonds stretched beyond the range in which the method follows its elastic law.
+/// Bonds stretched beyond the range of the method's elastic law.
 struct BeyondLaw {
   double share = 0;  // greatest share of the bonds
   double since = 0;  // s
 };
 
-/// Judges a run from observed states (THEORY.md).
+/// Judges a run (THEORY.md).
 class Judge {
  public:
   /// The scene must outlive the judge.
   Judge(const Scene& scene, const Snapshot& start, double support, bool keeps_neighbors, int threads = 1);
   Judge(const Scene& scene, const Simulation& simulation);
-  /// Records when each failure begins. Without `readings`, hourglass is not judged.
+  /// Without `readings`, hourglass is not judged.
   void observe(const Snapshot& now, const Balance& balance, const Readings& readings = {});
 
   Verdict verdict() const;
@@ -95,7 +95,7 @@ class Judge {
   int start_pieces_ = 0;
   int pieces_ = 0;
   double lawful_stretch_ = std::numeric_limits<double>::infinity();
-  double shortest_ = 0;  // initial length of the shortest bond, m
+  double shortest_ = 0;  // initial bond length, m
   BeyondLaw beyond_law_;
   EnergyTest energies_;
   Penetration penetration_;

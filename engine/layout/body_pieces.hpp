@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Coordinates along the lattice of a body, in spacings from the anchor of its first shape.
+/// Coordinates along a body's lattice, in spacings from the first shape's anchor.
 struct LatticeFrame {
   const Body& body;
   int dim;

@@ -150,7 +150,7 @@ Blocks cylinder_blocks(const Cylinder& pipe, double size) {
   return blocks;
 }
 
-/// Coordinates of all box faces along an axis, ascending, m.
+/// Coordinates of box faces, ascending, m.
 std::vector<double> lines_along(std::size_t axis, const std::vector<Box>& boxes, double dp) {
   std::vector<double> lines;
   for (const Box& box : boxes) lines.insert(lines.end(), {box.low[axis], box.high[axis]});
@@ -234,7 +234,6 @@ Blocks blocks_of(const Body& body, int dim, double size) {
   return blocks;
 }
 
-/// Joins coincident nodes on the edges of blocks.
 class NodeJoiner {
  public:
   NodeJoiner(std::vector<Point>& x, double dp) : x_(x), side_(0.1 * dp), near_(1e-5 * dp) {}
@@ -312,7 +311,7 @@ Mat<double, Dim> jacobian(const std::array<Point, power_of(n, Dim)>& X, int k,
   return G;
 }
 
-/// Adds the middle and the nodal volumes (Gauss–Lobatto weights, scaled to the element volume) of each element.
+/// Adds the middles and the nodal volumes (Gauss–Lobatto weights, scaled to the element volume).
 template <int n, int Dim>
 void add_volumes(ElementMesh& mesh) {
   using Line = LineElement<n>;

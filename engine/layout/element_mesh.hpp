@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Finite elements of all bodies, body after body. An element has (order + 1)^dim nodes, numbered along axis 0 first.
+/// Finite elements of all bodies, body after body. Local nodes are numbered along axis 0 first.
 struct ElementMesh {
   int dim = 2, order = 0;           // order 0: no elements
   std::vector<Point> x;             // [node] reference position, m
@@ -21,19 +21,18 @@ struct ElementMesh {
   int size() const { return static_cast<int>(middle.size()); }
 };
 
-/// Piece of a face between neighbouring nodes: a segment in 2D, a quadrilateral in 3D.
+/// Piece of a face between neighbouring nodes.
 struct MeshFacet {
   // seen from outside, 2D: left node first; 3D: anticlockwise; reversed if `inverted`
   std::array<int, 4> node{};
   int element = 0;
   int side = 0;           // 2 axis + (1 at the upper end)
-  bool inverted = false;  // the element is a mirror image of the reference element
+  bool inverted = false;  // mirror image of the reference element
 };
 
 /// Meshes a body with nodes about dp apart, numbered from 0. Throws SceneError for shapes without a mesh.
 ElementMesh mesh_of_body(const Body& body, int dim, int order, double dp);
 
-/// Facets that belong to one element only.
 std::vector<MeshFacet> boundary_of(const ElementMesh& mesh);
 
 }  // namespace taut

@@ -7,18 +7,17 @@
 
 namespace taut {
 
-/// Makes particles of the nodes of finite elements. A region contains all nodes of each cell (part of an element
-/// between neighbouring nodes) whose middle is in it; with Body::on_boundary, the nodes that lie in it. The material
-/// of an element is the one at its middle. Throws SceneError for bodies without mesh, jitter, empty regions, elements
-/// both clamped and driven, and overlapping bodies.
+/// A region contains all nodes of each cell (part of an element between neighbouring nodes) whose middle is in it; with
+/// Body::on_boundary, the nodes in it. An element has the material at its middle. Throws SceneError for bodies without
+/// mesh, jitter, empty regions, elements both clamped and driven, and overlapping bodies.
 InitialParticles make_element_nodes(const Scene& scene);
 
-/// Weight of each node of a body in a load: its loaded volume, m^dim; for tractions its share of the face,
-/// m^(dim − 1). The face consists of the loaded boundary facets with the most frequent MeshFacet::side.
+/// Weight of each node in a load: its loaded volume, m^dim; for tractions its share of the face, m^(dim − 1). The face
+/// consists of the loaded boundary facets with the most frequent MeshFacet::side.
 std::vector<double> load_weights(const Load& load, const Body& body, const InitialParticles& initial,
                                  int index);
 
-/// Shape functions at a point of a body, by node. Empty if no element contains the point.
+/// Shape functions at a point, by node. Empty outside all elements.
 std::vector<PointWeight> point_in_element(const InitialParticles& initial, int body, const Point& at);
 
 }  // namespace taut

@@ -9,7 +9,6 @@
 
 namespace taut {
 
-/// Points on faces, each a weighted mean of particles.
 struct FaceNodes {
   std::vector<Point> x;             // [node] reference position on the face, m
   std::vector<int> begin{0};        // [node] index of its first share; then the number of shares
@@ -27,7 +26,7 @@ class NodeWeights {
  public:
   NodeWeights(const InitialParticles& initial, int body, double dp);
 
-  /// Shares of a node at x. Empty if too few particles are near or if they are coplanar (2D: collinear).
+  /// Empty if too few particles are near or if they are coplanar (2D: collinear).
   std::vector<PointWeight> shares_of(const Point& x) const;
 
  private:

@@ -122,7 +122,7 @@ std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
 
 namespace {
 
-/// Particles from face to face; V0 is the part of the cell inside.
+/// V0 is the part of the cell inside the box.
 std::vector<InitialSite> sites_on_boundary(const Box& box, int dim, double dp) {
   long last[3] = {0, 0, 0};
   double pitch[3] = {1, 1, 1};

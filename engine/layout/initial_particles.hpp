@@ -11,8 +11,8 @@ namespace taut {
 struct InitialParticles {
   int dim = 2;
   std::vector<Point> x, v;     // reference position, m; velocity, m/s
-  std::vector<Point> middle;   // position before jitter, m, tested for regions; empty = x
-  std::vector<Point> start;    // starting position, m; empty = x
+  std::vector<Point> middle;   // position before jitter, m; empty = x
+  std::vector<Point> start;    // m; empty = x
   std::vector<double> V0;      // m^dim
   std::vector<double> inside;  // V0 over the volume of a whole cell
   std::vector<int> body;
@@ -20,7 +20,7 @@ struct InitialParticles {
   std::vector<int> drive;
   std::vector<unsigned char> clamped;
   std::vector<unsigned char> guided;  // bit k: fixed along axis k; empty = none
-  // index of the image under a symmetry rotation of the body
+  // index of the image under a symmetry rotation
   std::vector<int> turned;
   std::vector<int> first;     // [body] first particle; then the number of particles
   std::vector<bool> relaxed;  // [body] moved off the lattice to follow the faces; empty = none
@@ -38,13 +38,12 @@ struct InitialParticles {
 
 inline constexpr double greatest_particle_number = 20e6;
 
-/// Fills bodies with particles. In a box with particles on its faces, the n + 1 particles along n cells represent
-/// ½ − δ, 1 + δ, 1 … cells, as in Gregory's rule. Planes of symmetry keep half cells. Throws SceneError for no or too
-/// many particles, overlapping bodies, and regions, loads or cut-outs in conflict or without particles.
+/// In a box with particles on its faces, the n + 1 particles along n cells represent ½ − δ, 1 + δ, 1 … cells, as in
+/// Gregory's rule. Planes of symmetry keep half cells. Throws SceneError for no or too many particles, overlapping
+/// bodies, and regions, loads or cut-outs in conflict or without particles.
 InitialParticles make_initial_particles(const Scene& scene);
 
-/// Fills the union of shapes minus cut-outs with a lattice about the anchor of the first shape. Requires an unplaced
-/// body (unplaced_body).
+/// Lattice about the anchor of the first shape. Requires an unplaced body.
 std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp);
 
 }  // namespace taut

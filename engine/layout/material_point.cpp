@@ -14,7 +14,7 @@ constexpr std::size_t most = 4;
 using Basis = std::array<double, most>;
 using Equations = std::array<std::array<double, most + 1>, most>;
 
-/// Solves for the right side in the last column. Returns false if the matrix is singular.
+/// `A`: matrix and right side. Returns false if the matrix is singular.
 bool solve(Equations& A, std::size_t n) {
   constexpr double least_pivot = 1e-9;
   const double scale = A[0][0];
@@ -36,7 +36,7 @@ Point pitch_on_boundary(const Box& box, double dp, int dim) {
   return pitch;
 }
 
-/// Multilinear weights of the particles at the corners of a lattice cell; empty off such a lattice.
+/// Multilinear weights of the corners of a lattice cell; empty off the lattice.
 std::vector<PointWeight> point_in_cell(const std::vector<Point>& x, int begin, int end, const Point& at,
                                        const Body& body, double dp, int dim) {
   constexpr double round_off = 1e-9;
@@ -177,7 +177,7 @@ std::vector<PointWeight> point_of_motion(std::vector<PointWeight> point, const S
   if (near.empty()) return point;
   const int nearest = nearest_of(all.x, near, at);
   const double least = squared_distance(all.x[nearest], at);
-  // equally near particles count, so that points on the face of a clamp are clamped
+  // equally near particles count: points on the face of a clamp are clamped
   const auto steered = std::ranges::find_if(near, [&](int i) {
     return motion_group[i] != 0 && squared_distance(all.x[i], at) <= least + 1e-6 * all.link * all.link;
   });

@@ -16,7 +16,7 @@ bool any_holds(const std::vector<Shape>& shapes, const Point& x, double toleranc
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// Whether another shape contains x. Of coincident faces, the first is kept.
+/// Of coincident faces, the first is kept.
 bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
              double dp) {
   const double thin = 1e-6 * dp;
@@ -42,7 +42,6 @@ bool needs_clipping(const Body& body) {
   return std::ranges::any_of(body.shapes, is_other) || std::ranges::any_of(body.without, is_other);
 }
 
-/// Outline of all shapes minus the cut-outs, by polygon clipping.
 std::vector<Chain> whole_outline(const Body& body, int dim, double dp) {
   const auto one = [](const std::vector<Shape>& shapes) {
     return shapes.size() == 1 ? shapes.front() : Shape(Combined{Combination::together, shapes});
@@ -103,7 +102,7 @@ class OutlineMaker {
     }
   }
 
-  /// Index of the node of a chain point; chains share the node where they meet.
+  /// Chains share the node where they meet.
   int node_at(int& known, int b, const Point& laid, const NodeWeights& particles) {
     if (known != Outline::none) return known;
     const Point x = placed(scene_.bodies[as_index(b)], laid, scene_.dim);
@@ -128,7 +127,7 @@ class OutlineMaker {
   std::vector<int> open_;
 };
 
-/// Segments between neighbouring nodes on faces of finite elements.
+/// Segments on faces of finite elements.
 Outline outline_of(const InitialParticles& initial) {
   Outline out;
   std::vector<int> known(initial.x.size(), Outline::none);

@@ -17,7 +17,7 @@
 namespace taut {
 namespace {
 
-constexpr double least_distance = 0.5;  // between particles of two bodies, in spacings
+constexpr double least_distance = 0.5;  // in spacings
 
 class ParticleGrid {
  public:

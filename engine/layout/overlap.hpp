@@ -4,7 +4,7 @@
 
 namespace taut {
 
-/// Greatest allowed depth of particles in another body, or of faces in walls, in spacings.
+/// Allowed depth of particles in another body or of faces in walls, in spacings.
 inline constexpr double greatest_depth = 0.25;
 
 /// Throws SceneError if particles (not nodes of elements) of two bodies start less than half a spacing apart, or if

@@ -40,7 +40,7 @@ class PointGrid {
   const std::vector<Point>& points() const { return points_; }
   const Point& operator[](int i) const { return points_[as_index(i)]; }
 
-  /// Calls visit(index, distance) for all points in the cells within `rings` of the cell of x.
+  /// Calls visit(index, distance) for the points in cells within `rings` of the cell of x.
   template <class Visit>
   void around(const Point& x, long rings, const Visit& visit) const {
     for_each_cell(x, rings, [&](std::size_t cell, long, double) {
@@ -77,7 +77,7 @@ class PointGrid {
   }
 
  private:
-  /// Calls visit(cell, ring, square of the distance from x to the cell).
+  /// Calls visit(cell, ring, squared distance from x to the cell).
   template <class Visit>
   void for_each_cell(const Point& x, long rings, const Visit& visit) const {
     if (points_.empty()) return;

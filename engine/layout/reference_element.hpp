@@ -38,7 +38,7 @@ struct LineElement {
       return Row{5.0 / 9, 8.0 / 9, 5.0 / 9};
   }();
 
-  /// Lagrange polynomial that is 1 at point a of `at` and 0 at the others.
+  /// Lagrange polynomial of point a of `at`.
   static constexpr double value(const Row& at, std::size_t a, double x) {
     double product = 1;
     for (std::size_t k = 0; k < n; ++k)
@@ -64,7 +64,7 @@ struct LineElement {
       for (std::size_t a = 0; a < n; ++a) t[row][a] = f(row, a);
     return t;
   }
-  // [Gauss point][node]: shape functions and their derivatives
+  // [Gauss point][node]
   static constexpr Table N = table([](std::size_t q, std::size_t a) { return value(node, a, gauss[q]); });
   static constexpr Table dN = table([](std::size_t q, std::size_t a) { return slope(node, a, gauss[q]); });
   // [node][node]
@@ -89,7 +89,6 @@ constexpr double product_weight(const std::array<double, n>& weight, int k) {
   return product;
 }
 
-/// Calls f with `order` + 1 as a constant.
 template <class F>
 auto with_order(int order, const F& f) {
   return order == 1 ? f(std::integral_constant<int, 2>{}) : f(std::integral_constant<int, 3>{});

@@ -17,7 +17,7 @@ namespace {
 // lengths in spacings
 constexpr int layers = 3;
 constexpr int steps = 8;        // more steps turn rows inside into hexagonal grains
-constexpr double beside = 0.6;  // least distance of a new layer to existing particles
+constexpr double beside = 0.6;  // distance of a new layer to existing particles
 /// Least distance of a hole to all particles.
 double hole(int dim) { return 0.6 * std::sqrt(dim); }
 constexpr double least_depth_of_hole = 0.35;
@@ -27,8 +27,7 @@ struct VoronoiCell {
   Point middle{};  // centre of mass
 };
 
-/// Indices of candidates at least `apart` from each other. Prefers candidates near those already picked, so that rows
-/// are dense.
+/// Indices of candidates at least `apart` from each other, preferably near those already picked, for dense rows.
 std::vector<int> picked(const PointGrid& candidates, const std::vector<int>& component, double apart) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::vector<double> distance(candidates.points().size(), infinite);
@@ -63,7 +62,7 @@ class Relaxation {
   Relaxation(BodyPieces body, std::vector<Point> lattice, int dim)
       : body_(std::move(body)), x_(std::move(lattice)), dim_(dim), faces_(body_.face_points, dim) {}
 
-  /// Returns false, and moves no particle, if the lattice fits all faces.
+  /// Returns false if the lattice fits all faces.
   bool run() {
     if (!arrange_at_faces()) return false;
     for (int step = 0; step < steps; ++step) move_to_middles(cells());
@@ -160,7 +159,7 @@ class Relaxation {
     }
     return best;
   }
-  /// [candidate] number of its connected part.
+  /// [candidate]
   static std::vector<int> components(const PointGrid& candidates) {
     constexpr double linked = 0.5;
     std::vector<int> component(candidates.points().size(), -1), open;
@@ -198,7 +197,7 @@ class Relaxation {
         added.push_back(*x);
     x_.insert(x_.end(), added.begin(), added.end());
   }
-  /// Drops particles at tips: methods need neighbours that span the space.
+  /// Methods need neighbours that span the space.
   void drop_tips() {
     constexpr int most = 3;
     constexpr double near = 1.5;
@@ -224,7 +223,7 @@ class Relaxation {
   PointGrid faces_;
 };
 
-/// Volume of the body, m^dim.
+/// In m^dim.
 double body_volume(const Body& body, int dim, double of_pieces) {
   const Shape& first = body.shapes.front();
   return body.shapes.size() == 1 && body.without.empty() && first->has_exact_measure() ? first->measure(dim)

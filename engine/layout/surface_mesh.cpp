@@ -72,8 +72,8 @@ class Faces {
           (is_filled({x[0] + a * dp_, x[1] + b * dp_, x[2] + c * dp_}) ? filled : empty) = true;
     return filled && empty;
   }
-  /// First point of a face on the line through x and `outside`: outwards if x is solid, otherwise inwards. Returns x if
-  /// there is no such point within 1.5 spacings.
+  /// First face on the line through x and `outside`: outwards if x is solid, otherwise inwards. Returns x if none is
+  /// within 1.5 spacings.
   Point on_the_line(const Point& x, const Point& outside) const {
     const double length = distance_between(outside, x, dim);
     if (!(length > 0)) return x;
@@ -123,7 +123,7 @@ class Faces {
     return std::nullopt;
   }
 
-  /// Signed distance to a face in m, negative inside; 0 on seams between shapes.
+  /// Distance to a face in m, negative inside; 0 on seams between shapes.
   double height(const Point& x) const {
     if (on_face(x)) return 0;
     double low = -2 * farthest * dp_, high = 2 * farthest * dp_;
@@ -137,7 +137,7 @@ class Faces {
     return holds(body_, x, dim, fine * dp_) && !holds(body_, x, dim, -fine * dp_);
   }
 
-  /// Whether x is solid. Widens shapes and cut-outs, which closes seams.
+  /// Widens shapes and cut-outs to close seams.
   bool is_filled(const Point& x) const {
     const auto any_holds = [&](const std::vector<Shape>& shapes) {
       return std::ranges::any_of(shapes,
@@ -351,7 +351,7 @@ class BodyMesh {
   std::vector<int> node_;
 };
 
-/// Facets between neighbouring nodes on the boundary of finite elements.
+/// Facets on the boundary of finite elements.
 SurfaceMesh surface_of(const Scene& scene, const InitialParticles& initial) {
   SurfaceMesh mesh;
   std::vector<int> known(initial.x.size(), -1);

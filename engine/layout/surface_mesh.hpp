@@ -9,7 +9,6 @@
 
 namespace taut {
 
-/// Faces of all bodies in 3D.
 struct SurfaceMesh : FaceNodes {
   struct Facet {
     std::array<int, 4> node{};  // anticlockwise, seen from outside
@@ -22,11 +21,11 @@ struct SurfaceMesh : FaceNodes {
   std::vector<bool> closed;   // [body] no node is missing
 };
 
-/// Area vector ½ (x2 − x0) × (x3 − x1), outwards, m².
+/// ½ (x2 − x0) × (x3 − x1), outwards, m².
 Point vector_area(const std::array<Point, 4>& corner);
 
-/// Facets of layered shapes are their patches. Facets of a lattice are the outer sides of its cells, moved to the faces
-/// of the shapes. Omits facets where a body is too thin. Empty in 2D.
+/// Facets are patches of layered shapes, or outer sides of lattice cells, moved to the faces of the shapes. Omits
+/// facets where a body is too thin. Empty in 2D.
 SurfaceMesh make_surface_mesh(const Scene& scene, const InitialParticles& initial, int threads = 1);
 
 /// Returns false if a body has particles listed one by one.

@@ -14,7 +14,7 @@ namespace taut {
 template <const auto& M, Law L>
 constexpr bool may_run_with = L == M.law || may_be_given(M, LawOf<L>::row);
 
-/// Laws of four particles; their materials may differ if `several`.
+/// The materials may differ if `several`.
 template <class L, bool several = true>
 struct LawsOfFour {
   const L* laws;         // [material]
@@ -63,7 +63,7 @@ class Materials {
  public:
   Materials(Law law, const std::vector<Elasticity>& materials) : law_(law) { take(materials, Laws{}); }
 
-  /// Shear energies take J instead of det F, [Lee2016] Eq. 8.
+  /// J instead of det F, [Lee2016] Eq. 8.
   void take_volume_ratio_in_shear() {
     const auto take = [](auto& law) {
       if constexpr (requires { law.J_in_shear; }) law.J_in_shear = true;

@@ -20,7 +20,7 @@ constexpr bool takes_volume_ratio(Law law) { return law == Law::neo_hookean || l
 enum class OtherLaws : std::uint8_t { none, all, with_volume_ratio };
 
 struct ElasticSwitches {
-  Law law = Law::neo_hookean;  // the method's own
+  Law law = Law::neo_hookean;
   OtherLaws others = OtherLaws::none;
 };
 

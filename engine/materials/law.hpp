@@ -6,17 +6,17 @@
 #include "engine/materials/law_row.hpp"
 
 /// Elastic laws of F, in 2D in plane strain (F_zz = 1): structs of K, G (Pa) and parameters with
-///   piola(F, J)           first Piola–Kirchhoff stress, N per initial m²
-///   energy(F, J)          strain energy density, J per initial m³, 0 at rest
+///   piola(F, J)           N per initial m²
+///   energy(F, J)          J per initial m³, 0 at rest
 ///   cauchy(F, J)          Pa
 ///   stiffness_bound(F, J) upper bound of ρ0 c² of all waves, Pa; c in initial lengths per time (THEORY.md)
 /// J is det F or an unknown ([Lee2016] Eq. 33c). A law that takes_volume_ratio also has
 ///   piola(F, H, J)        H is cof F or an unknown ([Lee2016] Eq. 12)
-///   shear_energy(F, H, j) shear part of the energy; j: volume ratio
+///   shear_energy(F, H, j) j: volume ratio
 ///   slopes(F, H, j)       derivatives of shear_energy by F, H and j, Pa; the first two divided by F and H
 namespace taut {
 
-/// Cauchy stress, Pa; `zz`, normal to the plane, is 0 in 3D.
+/// In Pa; `zz`, normal to the plane, is 0 in 3D.
 template <int Dim>
 struct Cauchy {
   Sym<double, Dim> sigma;
@@ -27,7 +27,7 @@ double beside_plane(double zz) {
   return Dim == 2 ? zz : 0;
 }
 
-/// Derives from the struct of the law and has a static LawRow `row`.
+/// Derives from the law's struct; has a static LawRow `row`.
 template <Law law>
 struct LawOf;
 
@@ -40,7 +40,7 @@ T contraction(const Mat<T, Dim>& A, const Mat<T, Dim>& B) {
   return s;
 }
 
-/// Volume ratio j in the shear energy: det F, or J if `J_in_shear`.
+/// Volume ratio j in the shear energy.
 template <class Law, class T, int Dim>
 T shear_ratio(const Law& law, const Mat<T, Dim>& F, const T& J) {
   return law.J_in_shear ? J : determinant(F);
@@ -77,7 +77,7 @@ Sym<T, Dim> green_strain(const Mat<T, Dim>& F) {
   return E;
 }
 
-/// Hooke's law, Pa; plane strain in 2D.
+/// In Pa; plane strain in 2D.
 template <class T, int Dim>
 Sym<T, Dim> hooke(const Sym<T, Dim>& strain, double K, double G) {
   Sym<T, Dim> stress = filled<T>(2 * G) * strain;

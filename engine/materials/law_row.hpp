@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Parameter besides K and G: an optional key of [material].
+/// Optional key of [material] besides K and G.
 struct LawParameter {
   std::string_view key;
   double value;      // default

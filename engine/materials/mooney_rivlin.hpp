@@ -16,7 +16,7 @@ struct MooneyRivlin {
   double cofactor_share;  // 3√3 ξ/G
   bool J_in_shear = false;
 
-  /// Derivatives of the shear energy, Pa: Σ_F/F, Σ_H/H and Σ_j.
+  /// Σ_F/F, Σ_H/H and Σ_j, Pa.
   template <class T>
   struct Slopes {
     T F, H, j;

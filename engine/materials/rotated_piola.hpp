@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// R turned about ω by `angle` = |ω|: exp(ω×) R.
+/// exp(ω×) R; `angle` = |ω|.
 inline Mat<double, 3> turned_by(const Vec<double, 3>& omega, double angle, const Mat<double, 3>& R) {
   const Vec<double, 3> n = (1 / angle) * omega;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -33,7 +33,7 @@ inline bool is_half_turn(const Mat<double, 3>& R, const Mat<double, 3>& F) {
   return determinant(F) > 0 && !(trace(U) > 0 && minors > 0);
 }
 
-/// Rotation nearest to F; R of F = R U if det F > 0.
+/// R of F = R U if det F > 0.
 template <class T>
 Mat<T, 2> nearest_rotation(const Mat<T, 2>& F) {
   const T c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1);
@@ -76,7 +76,7 @@ inline Mat<Pack, 3> nearest_rotation(const Mat<Pack, 3>& F) {
   return R;
 }
 
-/// Stress of `icb`, [TranDuc2023] §2.3. It is not derived from an energy; `energy` is a diagnostic.
+/// Stress of `icb`, [TranDuc2023] §2.3, not derived from an energy; `energy` is a diagnostic.
 struct RotatedPiola {
   double K, G;  // Pa
 

@@ -10,8 +10,7 @@ T greatest_eigenvalue(const Sym<T, 2>& A) {
   return 0.5 * (A(0, 0) + A(1, 1)) + root(T(half * half + A(0, 1) * A(0, 1)));
 }
 
-/// Greatest eigenvalue q + 2p cos(θ/3) with q = tr A/3, p² = |A − q I|²/6 and cos θ = det(A − q I)/(2p³). Finds
-/// cos(θ/3) by Newton's method.
+/// q + 2p cos(θ/3), q = tr A/3, p² = |A − q I|²/6, cos θ = det(A − q I)/(2p³); cos(θ/3) by Newton's method.
 template <class T>
 T greatest_eigenvalue(const Sym<T, 3>& A) {
   const T one = filled<T>(1), q = trace(A) / 3;
@@ -27,7 +26,7 @@ T greatest_eigenvalue(const Sym<T, 3>& A) {
   return q + 2 * p * c;
 }
 
-/// Principal stretches; in 2D the last is 1, normal to the plane.
+/// In 2D the last is 1, normal to the plane.
 template <class T>
 using PrincipalStretches = Vec<T, 3>;
 
@@ -46,7 +45,7 @@ PrincipalStretches<T> principal_stretches(const Mat<T, 3>& F) {
   return {root(greatest), root(second), root(T(product / second))};
 }
 
-/// Upper bound, in Pa, of m·Q m over all unit vectors m and n. Q is the acoustic tensor for the coefficients `along(k)`,
+/// Upper bound, in Pa, of m·Q m over all unit vectors m and n. Q is the acoustic tensor for coefficients `along(k)`,
 /// `across(k, l)` and `coupling(k, l)` in Pa (THEORY.md). Returns NaN if a coefficient is NaN.
 template <int Dim, class Along, class Across, class Coupling>
 auto greatest_stiffness(const Along& along, const Across& across, const Coupling& coupling) {

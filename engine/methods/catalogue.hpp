@@ -17,7 +17,7 @@
 namespace taut {
 
 struct LawChoice {
-  std::string_view name;  // "st-venant-kirchhoff"
+  std::string_view name;
   std::string_view material_law;
   Law law;
 };
@@ -47,11 +47,10 @@ struct MethodInfo {
   bool several_materials;
 };
 
-/// In listing order.
 std::span<const MethodInfo> methods();
 /// Returns nullptr for unknown names.
 const MethodInfo* find_method(std::string_view name);
-/// Constants that users may set, with defaults for `dim`.
+/// Defaults for `dim`.
 std::vector<MethodConstant> method_constants(const Formulation& m, int dim);
 /// Values in SI units; `dp` in m.
 ConstantValues constant_values(const Formulation& m, int dim, double dp, const Settings& settings);
@@ -63,11 +62,10 @@ const LawRow* law_row(const MethodInfo& method, const Settings& settings);
 std::string reason_against_law(const MethodInfo& method, std::string_view law);
 /// Law of the reference solution of a run. Throws UsageError if the method lacks the law.
 std::string_view material_law(const MethodInfo& method, const Settings& settings, int dim = 2);
-/// In listing order.
 std::span<const ContactLawRow> contact_rows();
-/// Contact law of a run, never `published`. Throws SceneError if the method cannot use the scene's law.
+/// Never `published`. Throws SceneError if the method cannot use the scene's law.
 ContactLaw contact_law(const Scene& scene, const MethodInfo& method);
-/// The method's default contact law; `penalty` instead of `surface` if bodies have no faces.
+/// Default; `penalty` instead of `surface` if bodies have no faces.
 ContactLaw published_contact(const Scene& scene, const MethodInfo& method);
 
 }  // namespace taut

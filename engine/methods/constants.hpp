@@ -12,8 +12,8 @@ inline constexpr std::size_t most_law_parameters = 4;
 
 struct Elasticity {
   double rho0 = 0;                                   // kg/m³
-  double c0 = 0;                                     // sound speed √(K/ρ0), m/s, [Zhang2024] Eq. 5
-  double K = 0, G = 0;                               // bulk and shear modulus, Pa
+  double c0 = 0;                                     // √(K/ρ0), m/s, [Zhang2024] Eq. 5
+  double K = 0, G = 0;                               // Pa
   std::array<double, most_law_parameters> of_law{};  // values of LawRow::parameters
 };
 
@@ -24,11 +24,11 @@ inline double compression_wave_speed(const Elasticity& m) {
 
 /// The inherited elasticity is the first particle's, with the maximum c0 of all materials.
 struct Constants : Elasticity {
-  double dp = 0;                 // particle spacing, m
-  double h = 0;                  // smoothing length, m
+  double dp = 0;                 // m
+  double h = 0;                  // m
   double contact_stiffness = 1;  // factor of the contact law's stiffness
   double cfl = 0;
-  double step = 0;  // fixed time step, s; 0: from cfl
+  double step = 0;  // fixed, s; 0: from cfl
 };
 
 /// Constant that users may set, as in "--set method.zeta=4".

@@ -17,7 +17,7 @@ namespace taut {
 
 struct FamilyRow {
   Family family;
-  bool keeps_neighbors;  // the particles of a body keep their initial neighbours
+  bool keeps_neighbors;  // particles of a body keep initial neighbours
   std::vector<TermInfo> (*terms)(const Formulation& m);
   std::vector<MethodConstant> (*constants)(const Formulation& m, int dim);
   // returns nullptr without an elastic law

@@ -26,7 +26,6 @@ enum class Deviator : std::uint8_t {
   plane_strain,  // 1/3, [Khayyer2024] Eq. 6
 };
 
-/// Data of every method.
 struct Formulation {
   std::string_view name;
   std::string_view paper;
@@ -36,13 +35,13 @@ struct Formulation {
   std::span<const Citation> citations = {};  // replace sources and tests of terms
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // unless the scene chooses another
+  ContactLaw contact = ContactLaw::sph;  // default
   double contact_stiffness = 1;          // see the contact law in terms/
   bool several_materials = false;
   double h_over_dp = 1.3;
   double h_over_dp_3d = 0;  // 0: as in 2D
   double cfl = 0.4;         // acoustic, [Zhang2024] Eq. 22
-  int element_order = 0;    // of finite elements; 0 = particles
+  int element_order = 0;    // 0 = particles
 };
 
 template <class F>

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Linear map, 3 × 3, row by row.
+/// 3 × 3, row by row.
 using LinearMap = std::array<double, 9>;
 
 struct InitialPositions {

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Search grid around positions `x`, n × Dim, m.
+/// `x`: n × Dim, m.
 template <int Dim>
 class PlacesInCells {
  public:
@@ -21,7 +21,7 @@ class PlacesInCells {
   }
 
   const std::vector<int>& order() const { return order_; }
-  /// Calls visit(j) for all j within `reach` of i, including i.
+  /// Also visits i.
   template <class Visit>
   void for_each_around(int i, const Visit& visit) const {
     grid_.for_each_row(x_[i], [&](int first, int last) {

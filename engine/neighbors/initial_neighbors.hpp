@@ -8,13 +8,13 @@
 
 namespace taut {
 
-/// Neighbours of each particle, as ascending ids.
+/// Ascending ids.
 struct NeighborLists {
   std::vector<std::size_t> begin;  // [n + 1]
   std::vector<int> j;
 
   std::span<const int> operator[](int i) const { return {j.data() + begin[i], begin[i + 1] - begin[i]}; }
-  /// Index in j of `other`, which must be in the list of i.
+  /// Index in j; `other` must be in the list of i.
   std::size_t find(int i, int other) const;
 };
 

@@ -17,7 +17,7 @@ namespace taut {
 template <int Dim>
 class CellGrid {
  public:
-  /// Places the grid around `x` and returns the stable storage order.
+  /// Returns the stable storage order.
   const std::vector<int>& sort(const std::vector<Vec<double, Dim>>& x, double support) {
     place(x, support);
     const int n = static_cast<int>(x.size());
@@ -102,7 +102,7 @@ struct Neighbors {
   }
 };
 
-/// Finds pairs closer than the support. The order does not depend on the number of threads.
+/// The order does not depend on the number of threads.
 template <int Dim>
 class NeighborSearch {
  public:

@@ -63,7 +63,7 @@ class RoundCube {
     return on_face(axis, side, 2 * p, 2 * q);
   }
 
-  /// Unit vector to `place`. Adds squares in order of size: symmetric places give the same bits.
+  /// Adds squares in order of size: symmetric places give the same bits.
   Point direction(const Place& place) const {
     Point way{};
     std::array<double, 3> square{};
@@ -130,7 +130,7 @@ struct Slices {
          along[0] * u[1] - along[1] * u[0]};
   }
 
-  /// Maps x from the plane of a slice to space. `pitches`: height above `from`, in pitches.
+  /// `pitches`: height above `from`.
   Point place(const Point& x, double pitches) const {
     Point at{};
     for (std::size_t k = 0; k < 3; ++k)

@@ -7,7 +7,6 @@
 namespace taut {
 
 // Layers of particles along the faces of hollow round 3D bodies.
-// A layer of a ball is the surface of a cube mapped to a sphere.
 
 std::vector<InitialSite> aligned_sites(const Ring& shell, double dp);
 FacePatches aligned_patches(const Ring& shell, double dp);

@@ -51,7 +51,8 @@ class March {
     long to = 0;
   };
 
-  /// On an anticlockwise path around a square, each exit from the solid begins a face, which ends at the preceding entry.
+  /// On an anticlockwise path around a square, each exit from the solid begins a face that ends at the preceding
+  /// entry.
   void visit(const PlaceGrid& grid, const std::function<Point(const Point&, const Point&)>& face, long i,
              long j) {
     constexpr std::array<std::array<long, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

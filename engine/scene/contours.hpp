@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Cross product (a − o) × (b − o), m²; positive if b is left of the line from o to a.
+/// (a − o) × (b − o), m²; positive for a left turn.
 double turn(const Point& o, const Point& a, const Point& b);
 
 struct PlaceGrid {
@@ -21,12 +21,12 @@ struct PlaceGrid {
   }
 };
 
-/// Contours of the region where inside(column, row) is true, by marching squares, with the solid on the left. Between
-/// the neighbours `in` and `out` they pass through face(in, out). Parts that touch at a corner are separate.
+/// Marching squares over inside(column, row), with the solid on the left. Contours pass through face(in, out). Parts
+/// that touch at a corner are separate.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 
-/// Contours of `inside`, bisected to 1e-9 of the pitch.
+/// Bisected to 1e-9 of the pitch.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(const Point&)>& inside);
 
 /// Omits points that deviate by at most `tolerance` [Douglas, Peucker 1973].

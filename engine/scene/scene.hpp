@@ -46,7 +46,6 @@ struct Drive {
   std::optional<double> until;                            // s; none = never released
 };
 
-/// External force on the free particles of a region.
 struct Load {
   enum class Kind : std::uint8_t {
     force,          // N (2D: N/m), shared by volume
@@ -86,7 +85,7 @@ struct Rotation {
 /// Sines and cosines of quarter turns are exact; mirrored rotations of mirrored points give exact mirror images.
 Point rotated(const Rotation& rotation, const Point& x);
 
-/// Random displacement, uniform within ± `share` spacings.
+/// Uniform within ± `share` spacings.
 struct Jitter {
   static constexpr double least_unusable = 0.5;  // particles of a square lattice can coincide
   double share = 0;
@@ -95,10 +94,10 @@ struct Jitter {
 
 struct Body {
   std::string name;
-  std::vector<Shape> shapes;   // the first one anchors the lattice
-  std::vector<Shape> without;  // cut out
+  std::vector<Shape> shapes;  // the first one anchors the lattice
+  std::vector<Shape> without;
   Lattice lattice = Lattice::square;
-  bool relaxed = false;      // particles of the lattice move to follow the faces
+  bool relaxed = false;      // particles move to follow the faces
   bool on_boundary = false;  // one box with particles on its faces
   int material = 0;
   std::vector<Part> parts;             // the last that contains a particle counts
@@ -124,7 +123,7 @@ Point unplaced_point(const Body& body, Point x, int dim);
 /// Stress component, positive in tension, or invariant, Pa.
 enum class StressPart : std::uint8_t { xx, yy, zz, xy, xz, yz, von_mises, pressure };
 
-/// Quantity sampled in every step. Forces are means over the last step, 0 at the start.
+/// Sampled in every step. Forces are means over the last step, 0 at the start.
 struct Probe {
   /// Unless stated, quantities of `bodies[0]`, component `axis`.
   struct Kind {
@@ -139,7 +138,7 @@ struct Probe {
     static const Kind greatest_position;
     // least distance between faces, or between particles minus their mean diameter, m
     static const Kind gap;
-    // greatest |x_a − mirror(x_b)| of two bodies or of one body, mirror plane ⊥ axis, m
+    // greatest |x_a − mirror(x_b)| of one or two bodies, mirror plane ⊥ axis, m
     static const Kind mirror_asymmetry;
     // angle of `at` about `turns_about`, with whole turns, rad
     static const Kind turn;
@@ -147,7 +146,7 @@ struct Probe {
     // on clamped, guided or driven particles, N
     static const Kind reaction;
     static const Kind contact_force;  // on `bodies[0]`, from `bodies[1]` or `wall`, N
-    static const Kind expression;     // of the preceding probes
+    static const Kind expression;
   };
   std::string name;
   Kind kind = Kind::displacement;
@@ -231,7 +230,7 @@ struct Scene {
   std::string title;
   std::string source;
   int dim = 2;
-  double spacing = 0;     // dp, m; see fitted_spacing
+  double spacing = 0;     // dp, m
   int element_order = 0;  // of finite elements; 0 = particles
   Jitter jitter;
   double until = 0;  // s
@@ -244,7 +243,7 @@ struct Scene {
   std::vector<Probe> probes;
   std::vector<SampleLine> lines;
   std::vector<Measure> measures;
-  /// References by the material law of a method, such as "2d_deviator" or "neo_hookean".
+  /// By the material law of a method, such as "2d_deviator".
   std::map<std::string, Reference> references;
 };
 
@@ -265,7 +264,7 @@ bool has_guides(const Scene& scene);
 bool has_gravity(const Scene& scene);
 bool has_loads(const Scene& scene);
 
-/// Returns `spacing` adjusted to divide `extent_to_divide` of the first shape into whole particles or rows.
+/// Adjusts `spacing` to divide `extent_to_divide` of the first shape evenly.
 double fitted_spacing(const Body& first, int dim, double spacing);
 
 }  // namespace taut

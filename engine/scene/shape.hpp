@@ -56,7 +56,7 @@ struct InitialSite {
   Point middle{};  // x without jitter, m; for regions
 };
 
-/// Interface of all shapes. Lengths are in m; components beyond `dim` are ignored.
+/// Lengths are in m; components beyond `dim` are ignored.
 struct ShapeBase {
   virtual ~ShapeBase() = default;
   bool operator==(const ShapeBase&) const = default;
@@ -75,20 +75,18 @@ struct ShapeBase {
   virtual Point anchor() const;
   /// Sites in a body that has only this shape; empty if the lattice fills the body.
   virtual std::vector<InitialSite> sites(int dim, double dp) const;
-  /// Closed chains of points on the faces, about dp apart and at each corner, with the solid on the left.
-  /// Empty in 3D.
+  /// Points are about dp apart and at each corner, with the solid on the left. Empty in 3D.
   virtual std::vector<Chain> outline(int dim, double dp) const;
-  /// Outline of this shape as a part of a combined shape. A combined shape gives its parts a finer dp, not
-  /// below `finest`.
+  /// A combined shape gives its parts a finer dp, not below `finest`.
   virtual std::vector<Chain> outline_of_part(int dim, double dp, double finest) const;
   virtual FacePatches patches(double dp) const;
-  /// Map between lattice and space; a shape may rotate the lattice.
+  /// A shape may rotate the lattice.
   virtual Point from_lattice(const Point& x) const;
   virtual Point to_lattice(const Point& x) const;
   virtual Bounds lattice_bounds() const;
 };
 
-/// Value type that holds any shape; copies share it.
+/// Copies share the shape.
 class Shape {
  public:
   template <std::derived_from<ShapeBase> S>

@@ -42,12 +42,12 @@ class Common {
   TeamSize team;
   bool stepping = false;  // false during set-up, which uses all threads
   RunState run;
-  double vmax = 0;  // greatest speed, m/s
+  double vmax = 0;  // m/s
 
   int size() const { return particles.size(); }
   int threads_now() const { return stepping ? team.threads() : run.threads; }
 
-  /// Moves the particles to their starting positions. Call after storing the reference configuration.
+  /// Call after storing the reference configuration.
   void go_to_start();
 
   /// Time step in s: the fixed step of the settings, or else `by_speed`, reduced for stiff contact.

@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// Particles that cannot move along some axes (rollers, symmetry planes).
+/// Particles that cannot move along some axes (rollers).
 template <int Dim>
 class Guides {
  public:
@@ -66,7 +66,7 @@ class Drives {
     v = given;
   }
 
-  /// Work on a particle since the start, J.
+  /// Since the start, J.
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
@@ -116,7 +116,7 @@ class Reactions {
   V* impulses() { return impulse_.data(); }  // [i] N s
   void add(int i, const V& impulse) { impulse_[i] += impulse; }
 
-  /// Mean force over the step that the recorded impulses do not explain, N.
+  /// Mean over the step, N.
   V unexplained_force(const Particles<Dim>& s, int i) const {
     return (1 / dt_) * (s.m[i] * (s.v[i] - v_[i]) - impulse_[i]);
   }

@@ -33,7 +33,7 @@ struct External {
     loads.set_time(t - 0.5 * dt);
     if (reactions.active()) reactions.begin(p.v, dt);
   }
-  /// Applies the external actions to the new velocity `v` and records their work.
+  /// `v`: new velocity. Records the work.
   void act(const Particles<Dim>& p, int i, double dt, V& v) {
     if (drives.moves(p.id[i])) return drives.replace(p, i, v);
     const bool loaded = loads.active();

@@ -68,7 +68,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
   return side > 0 ? n : Place<Dim>(-n);
 }
 
-/// Ratio of face area to layer area, from the chords to the neighbours.
+/// Ratio of face area to layer area.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                std::span<const int> near, double spacing) {
@@ -105,7 +105,7 @@ std::pair<int, double> deepest(int i, const Place<Dim>& n, const InitialParticle
   return known;
 }
 
-/// Column below particle i; thin if it is shorter than about twice the range of `near`.
+/// Thin if the column is shorter than about twice the range of `near`.
 template <int Dim>
 Column column(int i, const Place<Dim>& n, const InitialParticles& initial, const NeighborsOfOne<Dim>& near,
               double spacing) {
@@ -159,7 +159,7 @@ int beside(int i, const Place<Dim>& along, const InitialParticles& initial, cons
   return found;
 }
 
-/// Unit vectors along the face at particle k of the layer.
+/// Unit vectors along the face.
 template <int Dim>
 std::vector<Place<Dim>> directions(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
                                    const NeighborsOfOne<Dim>& near) {

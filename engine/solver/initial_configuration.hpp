@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Initial configuration of total-Lagrangian methods. Departs from the papers, which place particles on the boundary:
-/// the outermost particles lie half a spacing inside the face unless Body::on_boundary is set.
+/// Departs from the papers, which place particles on the boundary: the outermost particles lie half a spacing inside
+/// the face unless Body::on_boundary is set.
 template <int Dim>
 class InitialConfiguration {
  public:
@@ -32,8 +32,8 @@ class InitialConfiguration {
 
   int groups() const { return static_cast<int>(sites.size()); }
   LawsInUse laws() const { return materials.in_use(); }
-  /// Time step from CFL h/(c_p + |v|max), s. Departs from [Lee2016] Eq. 44, which uses the spacing and the wave speed of
-  /// the strained body.
+  /// Time step from CFL h/(c_p + |v|max), s. Departs from [Lee2016] Eq. 44, which uses the spacing and the wave speed
+  /// of the strained body.
   double step_size() const;
   static void begin(Snapshot& out) { out.strain_energy.resize(out.size()); }
   void begin_motion(Snapshot& out) const { common_.begin_motion(out), begin(out); }
@@ -47,7 +47,7 @@ class InitialConfiguration {
   Common<Dim>& common_;
 };
 
-/// Radius of interaction, m.
+/// In m.
 double initial_support(const SolverInput& input);
 
 constexpr MethodConstant smoothing_length(const Formulation& m, int dim, double least) {

@@ -22,8 +22,8 @@ namespace taut {
 enum class GradientCorrection : std::uint8_t { corrected, normalised };
 
 /// Directed pairs of initial neighbours within a body. k_ij = V_i V_j ∇_i W(X_i − X_j), with k_ji = −k_ij to the last
-/// bit. V in k_ij is the whole cell, but V in forces is V0 (see InitialParticles::inside); gradients and forces are then
-/// of second order (summation by parts).
+/// bit. V in k_ij is the whole cell, but V in forces is V0 (see InitialParticles::inside); gradients and forces are
+/// then of second order (summation by parts).
 template <int Dim>
 struct InitialPairs {
   std::vector<int> begin, j;        // begin[i] … begin[i + 1] − 1; j ascends
@@ -33,7 +33,7 @@ struct InitialPairs {
   int size() const { return static_cast<int>(B.size()); }
 };
 
-/// Pairs for passes over groups. Each pair has `Width` constants, k_ij first; 0 in lanes without neighbour.
+/// Each pair has `Width` constants, k_ij first; 0 in lanes without neighbour.
 template <int Dim, int Width = Dim>
 struct PairLanesView {
   struct Group {
@@ -136,8 +136,8 @@ inline constexpr TermInfo internal_force_info{
 
 /// Correction B:
 /// - corrected: B_i = [Σ_j (X_j − X_i) ⊗ k_ij]⁻¹, exact for linear fields. [Lee2016] Eq. 21, [TranDuc2023] §2.3
-/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1), where the sum includes i. [Zhang2020] mentions it
-///   below Eq. 11 without an equation.
+/// - normalised: B_i = I/(V_i S), S = 1 + share (Σ_j V_j W_ij − 1), where the sum includes i. [Zhang2020] below
+///   Eq. 11, without an equation.
 template <int Dim>
 Sym<double, Dim> gradient_correction(GradientCorrection gradient, const Mat<double, Dim>& moment, double V,
                                      double S) {

@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// Change of the velocities by all forces, as plain data for passes.
+/// Change of the velocities by all forces.
 template <int Dim>
 struct Kick {
   using V = Vec<double, Dim>;

@@ -33,10 +33,10 @@ class Loads {
   /// `t`: middle of the velocity update, s. Expressions are not thread-safe.
   void set_time(double t);
 
-  /// Acceleration of particle i by gravity and, if `free`, by loads, m/s².
+  /// Acceleration by gravity and, if `free`, by loads, m/s².
   V pull(const Particles<Dim>& s, int i, bool free) const { return free && active_ ? push(s, i) : g_; }
 
-  /// Acceleration of particle i by loads, gravity and damping, m/s².
+  /// By loads, gravity and damping, m/s².
   V acceleration(const Particles<Dim>& s, int i) const { return push(s, i) - damping_ * s.v[i]; }
 
   /// `dt` in s. Damping acts on the mean of the old and the new velocity.
@@ -45,13 +45,13 @@ class Loads {
     v += (dt * s.mobile[i]) * push(s, i);
     v = (1 / (1 + half)) * (v - half * s.v[i]);
   }
-  /// Records the work and the damped energy at velocity `mean` (in m/s).
+  /// `mean`: velocity, m/s.
   void count(const Particles<Dim>& s, int i, double dt, const V& mean) {
     work_[s.id[i]] += dt * s.mobile[i] * s.m[i] * dot(push(s, i), mean);
     damped_[s.id[i]] += dt * s.mobile[i] * s.m[i] * damping_ * dot(mean, mean);
   }
 
-  /// Work on a particle since the start, J.
+  /// Since the start, J.
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
   double damped() const { return std::accumulate(damped_.begin(), damped_.end(), 0.0); }

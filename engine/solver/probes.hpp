@@ -42,11 +42,11 @@ class ProbeRecorder {
   }
 
   std::vector<ProbeFollower<Dim>> followers_;
-  std::vector<int> storage_of_id_;  // [id] storage index
-  std::vector<int> first_;          // [body] first id
-  std::vector<double> diameter_;    // [id] V^(1/Dim) of the whole cell, m
+  std::vector<int> storage_of_id_;
+  std::vector<int> first_;
+  std::vector<double> diameter_;  // [id] V^(1/Dim) of the whole cell, m
   double support_ = 0;
-  std::vector<int> stressed_;  // ids of the particles that stress probes use
+  std::vector<int> stressed_;  // ids
 };
 
 }  // namespace taut

@@ -44,15 +44,14 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances to the first step that ends at or past `t` (in s). Never shortens a step, so that output does not alter a
-  /// run. Throws NumericalError if the run diverges.
+  /// Advances to the first step that ends at or past `t` (in s). Never shortens a step. Throws NumericalError if the
+  /// run diverges.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
   /// Like `advance_to`, but makes no step that ends at or past `short_of` (in s).
   virtual void advance(double t, double short_of) = 0;
   /// Makes `advance` return after the current step once `stop` is not 0. `stop` must outlive the simulation.
   void set_stop_flag(const std::atomic<int>& stop) { stop_ = &stop; }
 
-  /// Returns the state and the series as bytes for `load`.
   virtual std::string save() = 0;
   /// Continues from a state of the same scene and settings. Throws UsageError for any other state; the simulation is
   /// then unusable. Damaged states cause no access outside arrays.
@@ -78,7 +77,7 @@ class Simulation {
  protected:
   virtual const RunState& run_state() const = 0;
   virtual void take_snapshot(Snapshot& out) const = 0;
-  /// Returns false if energies depend on stresses; `motion` then uses `snapshot`.
+  /// Returns false if energies depend on stresses.
   virtual bool take_motion(Snapshot& /*out*/) const { return false; }
   bool asked_to_stop() const { return stop_->load(std::memory_order_relaxed) != 0; }
   bool has_snapshot() const { return !snapshot_.m.empty(); }

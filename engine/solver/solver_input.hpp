@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Constants of a method by name; lengths in m.
+/// By name; lengths in m.
 using ConstantValues = std::map<std::string_view, double>;
 
 template <class C>
@@ -34,7 +34,7 @@ struct SolverInput {
   bool keeps_neighbors;  // see FamilyRow
   Stepping stepping;
   int threads;
-  InstructionSet kernels{};  // best instruction set that may be used
+  InstructionSet kernels{};  // best that may be used
   ConstantValues values = {};
 };
 

@@ -8,8 +8,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// Gray's artificial stress repels close particles in tension. Departure: [Zhang2024] gives no equations and constants;
-/// they are from Gray et al. 2001.
+/// Gray's artificial stress. Departure: [Zhang2024] gives no equations and constants; they are from Gray et al. 2001.
 namespace taut {
 
 /// σ⁺ = Σ_k max(σ_k, 0) n_k ⊗ n_k
@@ -23,7 +22,7 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double scale = 0.5 * greatest / radius;
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
 }
-/// The 3D form is ours: the papers treat the plane.
+/// Ours: the papers treat the plane.
 inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
   const Principal principal = principal_axes(sigma);
   Sym<double, 3> positive{};
@@ -48,7 +47,6 @@ inline constexpr TermInfo surface_repulsion_info{
 enum class RepulsionWeight { kernel, distance };
 inline constexpr std::string_view repulsion_weight_names[] = {"kernel", "distance"};
 
-/// f_ij = (r/Δx)ⁿ
 inline Pack distance_weight(const Pack& r, double dp, double n) { return power(Pack(r / dp), n); }
 
 /// R = −ε σ⁺/ρ², Pa m⁶/kg²

@@ -5,8 +5,7 @@
 
 namespace taut {
 
-/// Π, m⁵/(kg s²); Σ m_j Π ∇_i W is an acceleration. `approach` = −u·r, m²/s. Departure: [TranDuc2023] §2.2 prints Π
-/// without 1/ρ̄ and does not state 0.01.
+/// Π, m⁵/(kg s²). `approach` = −u·r, m²/s. Departure: [TranDuc2023] §2.2 prints Π without 1/ρ̄ and does not state 0.01.
 template <class T>
 T artificial_viscosity(const T& approach, const T& r2, const T& c_mean, const T& rho_mean, double alpha,
                        double h) {

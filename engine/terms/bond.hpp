@@ -49,7 +49,7 @@ T bond_stiffness(const T& s, const T& half_inverse) {
   return s + half_inverse * half_inverse;
 }
 
-/// Range of s with φ_c = φ; φ_c is linear outside.
+/// Range of s with φ_c = φ.
 template <int Dim>
 inline constexpr std::array<double, 2> cancelled_range = {0.25, Dim == 2 ? 6.25 : 4};
 template <int Dim, class T>
@@ -121,7 +121,7 @@ struct ClosedNeoHookean {
   struct Closed {
     T c, slope;  // dc/dJ
   };
-  /// c(J) = J for J ≥ ½; below, a smooth continuation that stays above ¼.
+  /// c(J) = J for J ≥ ½; below, a smooth continuation above ¼.
   static Closed limited_volume_ratio(const T& J) {
     const T one = filled<T>(1);
     if (!any(J < 0.5)) return {J, one};

@@ -21,10 +21,10 @@ struct ContactLawRow {
   // gap in spacings below which faces count as touching
   double touching = 0.1;
 
-  // Force along a pair in N and its energy in J.
+  // Along a pair, N; its energy, J.
   double (*force)(double r, double dp, double K, int dim) = nullptr;
   double (*energy)(double r, double dp, double K, int dim) = nullptr;
-  // Impulse instead of a force, N s.
+  // Instead of a force, N s.
   double (*impulse)(double closing_speed, double inv_m_i, double inv_m_j) = nullptr;
 };
 

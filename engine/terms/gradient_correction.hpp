@@ -3,7 +3,7 @@
 #include "engine/core/tensor.hpp"
 #include "engine/term_info.hpp"
 
-/// L_i·∇_i W replaces ∇_i W, so that gradients of linear fields are exact.
+/// L_i·∇_i W replaces ∇_i W.
 namespace taut {
 
 /// Adds one neighbour to M = −Σ V_j r_ij ⊗ ∇_i W. [Zhang2024] Eq. 27. Departure: the paper prints no minus.
@@ -11,7 +11,7 @@ template <class T, int Dim>
 void add_gradient_moment(Sym<T, Dim>& M, const T& V_j, const T& dW, const T& r, const Vec<T, Dim>& e_ij) {
   add_outer(M, T(-V_j * dW * r), e_ij);
 }
-/// Stress that is recovered for display, in methods that do not carry stress.
+/// For display, in methods that do not carry stress.
 inline constexpr TermInfo stress_recovery_info{
     "stress shown", "s = ∫ 2G dev D + rotation dt, corrected gradient", "[Zhang2024] Eq. 26, 27",
     "terms/gradient_correction.hpp:add_gradient_moment",

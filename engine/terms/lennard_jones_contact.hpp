@@ -15,14 +15,14 @@ inline double lennard_jones_scale(double dp, double K, int dim) {
   return 0.5 * K * dp * dp * (dim == 3 ? dp : 1);
 }
 
-/// Repulsive force along a pair, N. [Zhang2020] Eq. 12 with n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and
+/// Repulsive force, N. [Zhang2020] Eq. 12 with n1 = 6, n2 = 4. Departure: the paper leaves p̄ open and
 /// has k h_i + k h_j instead of dp.
 inline double lennard_jones_force(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   return l2 > 1 ? lennard_jones_scale(dp, K, dim) * l2 * l2 * (l2 - 1) / near : 0;
 }
 
-/// Energy of a pair, J; linear in r inside the core.
+/// Energy, J; linear in r inside the core.
 inline double lennard_jones_energy(double r, double dp, double K, int dim) {
   const double near = std::max(r, lennard_jones_core * dp), l2 = dp * dp / (near * near);
   if (!(l2 > 1)) return 0;

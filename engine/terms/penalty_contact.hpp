@@ -7,8 +7,7 @@
 
 namespace taut {
 
-/// Contact modulus of two materials, Pa; [TranDuc2023] Eq. 2.13 has stiffness = 1. For K1 = K2 = K and stiffness = 2 it
-/// is K. Symmetric to the last bit.
+/// Contact modulus of two materials, Pa; [TranDuc2023] Eq. 2.13 has stiffness = 1. Symmetric to the last bit.
 inline double contact_modulus(double K1, double K2, double stiffness) {
   const double softer = std::min(K1, K2), harder = std::max(K1, K2);
   return stiffness * (softer * (harder / (softer + harder)));
@@ -20,7 +19,7 @@ inline double penalty_force(double r, double dp, double K, int dim) {
   return K * area * std::max(dp - r, 0.0);
 }
 
-/// Energy of a pair, J.
+/// Energy, J.
 inline double penalty_energy(double r, double dp, double K, int dim) {
   return 0.5 * penalty_force(r, dp, K, dim) * std::max(dp - r, 0.0);
 }

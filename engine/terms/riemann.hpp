@@ -25,7 +25,7 @@ inline constexpr TermInfo riemann_pressure_info{"pressure force", "dv/dt = −2 
                                                 "[Zhang2024] Eq. 12", "terms/riemann.hpp:riemann_pressure",
                                                 "riemann: P* is symmetric in the two states"};
 
-/// Term j of (dρ_i/dt)/ρ_i, 1/s. [Zhang2024] Eq. 11. The pressures in U* are in pressure_diffusion_term.
+/// Term j of (dρ_i/dt)/ρ_i without the pressures in U*, 1/s. [Zhang2024] Eq. 11
 template <class T>
 T compression_term(const T& V_j, const T& dW, const T& closing_speed) {
   return -V_j * dW * closing_speed;

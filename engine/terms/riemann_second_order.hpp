@@ -22,8 +22,8 @@ T reconstructed_closing_speed(const T& closing_speed, const Sym<T, Dim>& D_i, co
 enum class Limiter { none, minmod, van_leer, first_order };
 inline constexpr std::string_view limiter_names[] = {"none", "minmod", "van-leer", "first-order"};
 
-/// Limited velocity difference, m/s. `over`: difference over the pair; `behind`: difference over the same distance on
-/// the far side of one particle.
+/// Limited velocity difference, m/s. `over`: over the pair; `behind`: over the same distance on the far side of one
+/// particle.
 template <class T>
 T limited(const T& over, const T& behind, Limiter limiter) {
   const T zero = filled<T>(0), product = over * behind;

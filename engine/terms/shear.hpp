@@ -15,8 +15,7 @@ inline constexpr TermInfo nested_shear_info{"shear force", "dv/dt = Σ m_j (s_i 
                                             "[Zhang2024] Eq. 13", "terms/shear.hpp:nested_shear_term",
                                             "force: the forces of j on i and of i on j are opposite"};
 
-/// Term j of the sum in [Zhang2024] Eq. 19, 1/(m s), 0 for rigid rotation; its factor ζ = 0.7 d + 2.1 is calibrated. The
-/// continuum limit of the sum is (∇²v + 2 ∇∇·v)/(d + 2).
+/// Term j of the sum in [Zhang2024] Eq. 19, 1/(m s), 0 for rigid rotation; its factor ζ = 0.7 d + 2.1 is calibrated.
 template <class T, int Dim>
 Vec<T, Dim> laplacian_term(const Vec<T, Dim>& v_ij, const T& V_j, const T& dW, const T& inv_r,
                            const Vec<T, Dim>& e_ij) {

@@ -9,14 +9,14 @@
 
 namespace taut {
 
-/// Contact pressure per depth, Pa/m, of two materials with M = K + 4G/3. With stiffness = 2 the overlap is
-/// the compression of one spacing of each material. Symmetric to the last bit.
+/// Contact pressure per depth, Pa/m; M = K + 4G/3. With stiffness = 2 the overlap is the compression of one spacing of
+/// each material. Symmetric to the last bit.
 inline double surface_stiffness(double M1, double M2, double stiffness, double dp) {
   const double softer = std::min(M1, M2), harder = std::max(M1, M2);
   return 0.5 * stiffness * (softer * (harder / (softer + harder))) / dp;
 }
 
-/// Derivative of surface_stiffness by M2, 1/m.
+/// Derivative by M2, 1/m.
 inline double surface_stiffness_slope(double M1, double M2, double stiffness, double dp) {
   const double share = M1 / (M1 + M2);
   return 0.5 * stiffness * share * share / dp;
@@ -30,15 +30,14 @@ inline double surface_energy(double depth, double area, double k) {
   return depth > 0 ? 0.25 * k * area * depth * depth : 0;
 }
 
-/// Force that separates the faces, N: the slope of surface_energy.
+/// Separating force, N: the slope of surface_energy.
 inline double surface_force(double depth, double area, double k) {
   return depth > 0 ? 0.5 * k * area * depth : 0;
 }
 
-/// 3u² − 2u³ from 0 to 1.
 inline double smooth_step(double u) { return u * u * (3 - 2 * u); }
 
-/// c, the share of a face at height p: 1 near the face, 0 from `reach` (in m) on.
+/// c, the share of a face at height p, 0 from `reach` (m) on.
 inline double near_share(double p, double reach, double fade = 0.3) {
   return smooth_step(std::clamp((1 - std::abs(p) / reach) / fade, 0.0, 1.0));
 }
@@ -69,7 +68,7 @@ inline constexpr ContactLawRow surface_contact{
     .touching = 0,
 };
 
-/// Weight of a piece of a face. `cosine` of the angle between the outward normals: −1 if the faces are opposite.
+/// Weight of a piece of a face. `cosine`: of the angle between the outward normals.
 inline double facing_share(double cosine) { return std::clamp(-4 * cosine - 1, 0.0, 1.0); }
 inline double facing_slope(double cosine) { return cosine > -0.5 && cosine < -0.25 ? -4 : 0; }
 

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Term j of (û_i − u_i)/ε, m/s, with the transport velocity û. [Khayyer2024] Eq. 14
+/// Term j of (û_i − u_i)/ε, m/s. [Khayyer2024] Eq. 14
 template <class T, int Dim>
 Vec<T, Dim> xsph_term(const Vec<T, Dim>& v_ij, const T& rho_i, const T& rho_j, const T& V_j, const T& W) {
   return T(-2 * rho_j * V_j / (rho_i + rho_j) * W) * v_ij;

@@ -97,7 +97,6 @@ GlContext::Current::~Current() {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, target_.width, target_.height, GL_BGRA, GL_UNSIGNED_BYTE, target_.pixels.data());
-  // the first row of the image is the top row
   const auto row = [&](int number) {
     return target_.pixels.begin() + static_cast<std::ptrdiff_t>(target_.offset(0, number));
   };

@@ -4,7 +4,7 @@
 
 namespace taut::render {
 
-/// Compiles and links the shaders. Requires a current context.
+/// Requires a current context.
 std::uint32_t make_program(const char* vertex_shader, const char* fragment_shader);
 
 /// Copies data into the bound buffer, which grows if `capacity` (bytes) is too small.

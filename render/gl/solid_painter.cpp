@@ -297,7 +297,7 @@ void SolidPainter::draw_band(int top, int height, const Extent& extent) {
   }
 }
 
-/// Shades rows `top` … `top + height − 1`; the band has `below` further rows under them.
+/// Shades rows from `top`; the band has `below` further rows under them.
 void SolidPainter::resolve(std::uint32_t picture, int top, int height, int below, const Extent& extent) {
   const int bottom = image_height_ - (plot_.y + top + height);
   glBindFramebuffer(GL_FRAMEBUFFER, picture);

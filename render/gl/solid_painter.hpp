@@ -33,8 +33,8 @@ struct SolidParts {
   std::span<const std::uint32_t> palette{};  // of the surface; the last is for NaN
 };
 
-/// Draws spheres and triangles; hollows are darker [Luft, Colditz, Deussen: Image enhancement by unsharp masking the
-/// depth buffer, 2006]. Constructor and `draw` require the same current context.
+/// Darkens hollows [Luft, Colditz, Deussen: Image enhancement by unsharp masking the depth buffer, 2006].
+/// Constructor and `draw` require the same current context.
 class SolidPainter {
  public:
   /// Throws UsageError without enough memory.

@@ -29,7 +29,7 @@ Lab lab_of(Rgb color) {
   const double r = linear[color[0]];
   const double g = linear[color[1]];
   const double b = linear[color[2]];
-  // sRGB to XYZ, divided by the white point D65 = (0.95047, 1, 1.08883)
+  // sRGB to XYZ, divided by the white point D65
   const double x = lightness_root((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047);
   const double y = lightness_root(0.2126729 * r + 0.7151522 * g + 0.0721750 * b);
   const double z = lightness_root((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.08883);

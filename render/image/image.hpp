@@ -18,8 +18,8 @@ inline constexpr Rgb white = {255, 255, 255};
 /// Whether black is easier to read on `color` than white; ITU-R BT.709 on stored values.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// Rows from the top. A pixel has the bytes B, G, R, 255 for OSMesa and Cairo. If transparent, the last byte is the
-/// opacity, which multiplies the others.
+/// Rows from the top. A pixel has the bytes B, G, R, 255. If transparent, the last byte is the opacity, which
+/// multiplies the others.
 struct Image {
   int width = 0;
   int height = 0;
@@ -41,7 +41,6 @@ struct Image {
     std::uint8_t* p = &pixels[offset(column, row)];
     p[0] = color[2], p[1] = color[1], p[2] = color[0], p[3] = 255;
   }
-  /// Ignores `color` if transparent.
   void fill(Rgb color) {
     if (transparent) return pixels.assign(pixels.size(), 0);
     for (std::size_t k = 0; k < pixels.size(); k += 4)

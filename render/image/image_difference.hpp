@@ -6,7 +6,7 @@
 
 namespace taut::render {
 
-/// Least visible difference, ΔE*ab.
+/// ΔE*ab.
 inline constexpr double just_noticeable = 2.3;
 
 struct ImageDifference {

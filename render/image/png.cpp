@@ -28,7 +28,7 @@ constexpr png_alloc_size_t max_chunk_bytes = 8 << 20;  // against forged headers
 
 // The simplified API of libpng would convert to sRGB.
 
-/// Message of libpng. Outlives the stack frames that longjmp skips.
+/// Outlives the stack frames that longjmp skips.
 struct Complaint {
   char message[128] = {0};
 };
@@ -89,7 +89,7 @@ void append_chunk(std::vector<std::uint8_t>& file, std::string_view kind,
   append_number(file, crc32_gzip_refl(0, &file[from], file.size() - from));
 }
 
-/// Divides by the opacity. Invisible pixels are white, for readers that ignore opacity.
+/// Invisible pixels are white, for readers that ignore opacity.
 std::uint8_t divided(std::uint8_t channel, std::uint8_t opacity) {
   if (opacity == 0) return 255;
   return static_cast<std::uint8_t>(std::min((255 * channel + opacity / 2) / opacity, 255));
@@ -97,7 +97,7 @@ std::uint8_t divided(std::uint8_t channel, std::uint8_t opacity) {
 
 int channels(const Image& image) { return image.transparent ? 4 : 3; }
 
-/// Uses filter type none, which suits flat colours.
+/// Filter type none suits flat colours.
 void put_row(const Image& image, int row, std::uint8_t* to) {
   *to++ = PNG_FILTER_VALUE_NONE;
   const std::uint8_t* from = &image.pixels[image.offset(0, row)];

@@ -30,12 +30,12 @@ class ColorKey {
 
 class Annotation {
  public:
-  /// The image must outlive the annotation and must not move its pixels. `until`: see Renderer.
+  /// The image must outlive the annotation and not move its pixels. `until`: see Renderer.
   Annotation(Image& image, const PageLayout& layout, ColorKey key, double until, Rgb background,
              const PageTexts& texts = {});
 
   void show(const AxesMarker& axes) { axes_ = axes; }
-  /// Call in perspective, where lengths differ with the depth.
+  /// Call in perspective.
   void hide_scale_bar() { has_scale_bar_ = false; }
 
   void draw(const FrameView& frame, const OffScale& off_scale);

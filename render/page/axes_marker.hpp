@@ -5,7 +5,7 @@
 
 namespace taut::render {
 
-/// Draws the axes in the bottom right corner of the plot or, if `below`, under this corner.
+/// In the bottom right corner of the plot or, if `below`, under this corner.
 void draw_axes_marker(Canvas& canvas, const Rect& plot, const AxesMarker& axes, double em,
                       bool below = false);
 

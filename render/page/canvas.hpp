@@ -17,10 +17,10 @@ inline constexpr double ink = 0.13;
 inline constexpr double faint = 0.42;
 inline constexpr double cap_height = 0.73;  // of digits, per font size
 
-/// Line width in whole pixels.
+/// In whole pixels.
 double line_width(double em);
 
-/// Draws on an image with Cairo, in pixels from the top left.
+/// In pixels from the top left.
 class Canvas {
  public:
   enum class Align { left, centre, right };
@@ -38,14 +38,14 @@ class Canvas {
   void color(Rgb color);
   void use(Weight weight, double size);
   void fill(double x, double y, double width, double height);
-  /// (x, y): left end, middle or right end of the baseline.
+  /// (x, y): on the baseline.
   void text(const std::string& text, double x, double y, Align align);
   /// (x, y): middle of the baseline.
   void turned_text(const std::string& text, double x, double y);
   double width_of(const std::string& text);
   /// Shortens and records a text that is wider than `room`.
   std::string fitted(std::string text, double room);
-  /// Records a text that is not drawn because it lacks room.
+  /// Records a text that is not drawn.
   void omit(const std::string& text) { cut_.insert(text); }
   /// Texts that are not drawn in full.
   const std::set<std::string>& cut() const { return cut_; }

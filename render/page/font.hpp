@@ -10,7 +10,7 @@ namespace taut::render {
 
 enum class Weight { regular, bold };
 
-/// Finds DejaVu Sans in the system's folders. Throws OutputError, which names the package.
+/// Finds DejaVu Sans in the system's folders. Throws OutputError.
 std::filesystem::path find_font(Weight weight);
 
 /// Uses neither fontconfig nor hinting, so letters are equal on all machines.

@@ -23,7 +23,7 @@ double length_of(std::string_view text) {
 
 }  // namespace
 
-/// Number of entries drawn. If not all fit, the last line counts the others.
+/// Number of entries drawn.
 std::size_t Legend::shown(int height, double em) const {
   const auto lines =
       static_cast<std::size_t>(std::max((height - title_height * em) / (line_height * em), 1.0));

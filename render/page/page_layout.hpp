@@ -48,7 +48,7 @@ struct PageTexts {
   double font = 0;  // pixels; 0: by the picture's size
   TextParts parts{};
   BarPosition bar = BarPosition::right;
-  bool axes_outside = false;  // below the plot instead of inside
+  bool axes_outside = false;  // below the plot
 
   bool has_bar(BarPosition position) const { return parts.bar && bar == position; }
 };
@@ -60,7 +60,7 @@ struct TextSize {
 };
 TextSize text_size(int width, int height, const PageTexts& texts = {});
 
-/// Without texts the plot fills the picture. `room`: width of a key beside the plot, em.
+/// `room`: width of a key beside the plot, em.
 PageLayout make_layout(int width, int height, const View& view, bool with_texts = true,
                        double room = room_of_bar, const PageTexts& texts = {});
 

@@ -148,7 +148,7 @@ void ColorBar::draw_off_scale(Canvas& canvas, const Rect& room_of_all, double em
   const Rect bar = bar_in(room_of_all, em);
   const double gap = std::max(2.0, std::round(arrow_gap * em));
   const double room = std::ceil(arrow_height * em + gap) + 1;
-  // Draws the end at `edge`; `way` is the outward direction, ±1.
+  // `way`: outward direction, ±1.
   const auto draw_end = [&](double edge, double way, bool arrow, Rgb color) {
     const double begin = way < 0 ? edge - room : edge;
     canvas.gray(1);

@@ -45,7 +45,7 @@ class ColorBar {
   NumberFormat format_;
   bool across_;
   Ticks ticks_;
-  std::string tick_unit_;  // of ticks_
+  std::string tick_unit_;
 };
 
 /// "von Mises stress (MPa)", at most `room` pixels long; shortens the name. May be empty.

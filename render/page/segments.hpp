@@ -10,7 +10,7 @@ namespace taut::render {
 
 enum class Stroke : std::uint8_t { thin, bold };
 
-/// Draws 2D segments of four coordinates each, in m. Thin lines are faint.
+/// Draws 2D segments of four coordinates each, in m.
 void draw_segments(Canvas& canvas, const PageLayout& layout, std::span<const double> segments, Stroke stroke,
                    double em);
 

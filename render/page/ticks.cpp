@@ -62,7 +62,6 @@ Scale scale_for(double greatest, std::string_view unit) {
 
 namespace {
 
-/// Multiples of `step` from `low` to `high`.
 struct Multiples {
   double step, first, last;
   Multiples(double step_, double low, double high)

@@ -29,7 +29,7 @@ struct Ticks {
 
 struct NumberFormat {
   std::optional<int> decimals{};  // default: as few as possible
-  bool scientific = false;        // "1.5×10⁶" in the SI unit, without a prefix
+  bool scientific = false;        // "1.5×10⁶" in the SI unit
   bool operator==(const NumberFormat&) const = default;
 };
 

@@ -19,7 +19,7 @@ methods="oenog tl pf-jst enog gnog d-ulsph-r-tic"
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
 
-# rows NAME RESULTS: a line for the verdicts, then one for each measure
+# rows NAME RESULTS: lines for the verdicts and for each measure
 rows() {
   awk -v name="$1" -v methods="$methods" '
     # splits a line of a table at commas, with quoted fields

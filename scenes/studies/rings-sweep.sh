@@ -18,7 +18,7 @@ spacing=${2:-0.002}
 # 2. Run on all cores. A run that fractures or diverges is an ordinary row, so the exit code is 0.
 "$taut" sweep rings-speed-limit --spacing "$spacing" --out "$folder"
 
-# 3. Derive the answer from results.csv by column names (results.json contains the same data as a tree).
+# 3. Derive the answer from results.csv by column names.
 echo
 echo "Highest speed up to which the verdict is stable, by method, in c0:"
 awk -F, '

@@ -25,7 +25,6 @@ sweep plain tl,pf-jst,pfj-jst,pfhj-jst,oenog
 sweep projected pf-jst --set method.boundary_projection=1
 
 awk '
-  # splits a line of a table at commas, with quoted fields
   function cut(line, field,    n, rest) {
     for (n = 0; line != ""; line = rest) {
       if (match(line, /^"([^"]|"")*"/)) { field[++n] = substr(line, 2, RLENGTH - 2); rest = substr(line, RLENGTH + 2) }

@@ -46,7 +46,7 @@ double slowed(const Snapshot& start, const Snapshot& end) {
 
 bool keeps_linear_momentum(const MethodInfo& method) { return !method.name.ends_with("tic"); }
 
-/// With tensile instability control the thin ring bursts after some 90 steps.
+/// With `tic` the thin ring bursts after some 90 steps.
 int collision_steps(const MethodInfo& method) { return method.name.ends_with("tic") ? 80 : steps; }
 
 const std::map<std::string, double> least_angular_change = {
@@ -118,7 +118,7 @@ TEST_SUITE("conservation") {
   }
 
   TEST_CASE("angular momentum: corrected kernel gradients conserve it, the artificial stress does not") {
-    // the torque is the antisymmetric part of Σ V_i σ_i·L_i·M_i, which is 0 because L_i·M_i = I
+    // the torque is the antisymmetric part of Σ V_i σ_i·L_i·M_i, where L_i·M_i = I
     const Scene scene = rotating_plate(0.2);
     const auto change = [&](const std::string& method, double epsilon) {
       Settings settings = with_method(method);

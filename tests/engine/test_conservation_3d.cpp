@@ -18,7 +18,6 @@ namespace {
 constexpr int steps = 150;
 constexpr double round_off = 1e-13;  // relative change over all steps
 
-/// A block that rotates about x is hit off-centre by a ball.
 Scene solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -83,7 +82,7 @@ TEST_SUITE("conservation") {
         CHECK(turn < round_off);
       else
         CHECK(turn > 1e-4);
-      // shear forces of enog do not rotate, ccb does not damp tension, pf does not damp zigzags
+      // shear forces of enog do not rotate, ccb damps no tension, pf damps no zigzags
       if (method.name != "enog" && method.name != "ccb" && method.name != "pf")
         CHECK(after.kinetic + after.strain < 1.001 * before.kinetic);
     }

@@ -137,7 +137,7 @@ TEST_SUITE("determinism") {
   TEST_CASE("output: 1, 10 and 100 outputs give the same bytes and the same series") {
     for_each_run([](const Scene& scene, const std::string& method) {
       const auto once = make_simulation(scene, with_method(method));
-      // `until` is between two steps, so round-off does not matter
+      // between two steps, so round-off does not matter
       const double until = 0.5 * (state_after(steps - 1, scene, with_method(method)).time +
                                   state_after(steps, scene, with_method(method)).time);
       once->advance_to(until);
@@ -173,7 +173,7 @@ TEST_SUITE("determinism") {
       if (std::ranges::find(constants, "cfl_advection", &MethodConstant::name) == constants.end())
         CHECK(difference == 0);  // no geometry is kept between steps
       else
-        CHECK(difference > 1e-3 * scene.spacing);    // far beyond round-off
+        CHECK(difference > 1e-3 * scene.spacing);
       const double most = method == "og" ? 1 : 0.1;  // og tears
       CHECK(difference < most * scene.spacing);
     });

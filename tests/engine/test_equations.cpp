@@ -28,7 +28,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Sources of the engine's tests, with broken string literals joined.
+/// Broken string literals are joined.
 const std::string& test_sources() {
   static const std::string text = [] {
     std::string all;

@@ -35,7 +35,7 @@ Series tip_until(double until, double vf, const std::string& method) {
   return simulation->series();
 }
 
-/// Greatest distance in the first 3 ms, in m.
+/// In the first 3 ms, in m.
 double greatest_distance(const Series& a, const Series& b) {
   double distance = 0;
   for (double t = 0.0001; t <= 0.003; t += 0.0001)

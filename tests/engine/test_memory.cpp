@@ -20,7 +20,7 @@ double in_use() {
   return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 }
 
-/// Memory in kB per particle of two rings, including snapshot and indicators.
+/// Per particle, including snapshot and indicators.
 double kilobytes_each(const std::string& method) {
   const Scene scene = colliding_rings(/*v0*/ 0.06, /*dp*/ 0.0005);
   const double before = in_use();

@@ -1,15 +1,12 @@
-# Functions shared by the kinds of faults; sourced by run. A kind is a file in kinds/ with the functions
+# Functions shared by the kinds of faults. A kind is a file in kinds/ with the functions
 #
-#   prepare   makes, once, the files that all trials compare with or copy, in the folder $ground
+#   prepare   makes, once, the files that trials compare with or copy, in $ground
 #   trial     injects faults in the empty current folder $here, and checks the results
 #
-# and a line `harm="..."`, its description for --list. Trials report findings with lost, torn, crashed, hung and
-# wrong.
+# and a line `harm="..."`, its description for --list.
 
 scene=$faults/discs.toml
-patience=${TAUT_FAULTS_PATIENCE:-60}  # in s; a program that runs longer counts as hung
-
-# ---- findings
+patience=${TAUT_FAULTS_PATIENCE:-60}  # s
 
 lost() { found lost "$@"; }
 torn() { found torn "$@"; }
@@ -21,19 +18,15 @@ found() { printf '%s\t%s\t%s\t%s\n' "$1" "$kind" "$number" "$(tr '\n' ' ' <<<"${
 # Counts a fault that took effect.
 harmed() { echo "$kind" >>"$harms"; }
 
-# ---- random choices, determined by the seed and the number of the trial
-
 # pick N: sets $picked to 0 ... N-1; to 0 for N = 0
 pick() { picked=$(($1 > 0 ? (RANDOM << 15 | RANDOM) % $1 : 0)); }
 # choose WORD...: sets $chosen to one of the words
 choose() { pick $#; chosen=${@:picked+1:1}; }
 nap() { sleep "$(($1 / 1000)).$(printf %03d $(($1 % 1000)))"; }  # ms
 
-# ---- the program
-
 input=/dev/null  # standard input of the program
 
-# taut ARGUMENT...: runs the program; sets $code; stdout goes to $here/said, stderr to $here/complained
+# taut ARGUMENT...: runs the program; sets $code
 taut() {
   code=0
   timeout --kill-after 1 "$patience" "$program" "$@" >"$here/said" 2>"$here/complained" <"$input" || code=$?
@@ -41,7 +34,7 @@ taut() {
   sound "taut $*"
 }
 
-# sound WHAT: checks that the program that ended with $code has not crashed
+# sound WHAT: checks that $code is not a crash
 sound() {
   case $code in
     132 | 134 | 135 | 136 | 139) crashed "signal $((code - 128)): $1" ;;
@@ -50,7 +43,7 @@ sound() {
   ! grep -qE 'AddressSanitizer|runtime error|ThreadSanitizer' "$here/complained" || crashed "sanitizer: $1"
 }
 
-# ends CODES ARGUMENT...: like taut, and checks that the exit code is one of CODES
+# ends CODES ARGUMENT...: like taut; the exit code must be one of CODES
 ends() {
   taut "${@:2}"
   is_one_of "$code" "$1" || wrong "exit code $code, not ${1// / or }: taut ${*:2}: $(complaint)"
@@ -58,7 +51,7 @@ ends() {
 is_one_of() { [[ " $2 " == *" $1 "* ]]; }
 complaint() { tail -n 1 "$here/complained" 2>/dev/null | cut -c 1-300; }
 
-# start ARGUMENT...: runs the program in the background, as $victim, with default signal handling
+# start ARGUMENT...: runs the program in the background, as $victim
 start() {
   LC_ALL=C env --default-signal "$program" "$@" >"$here/said" 2>"$here/complained" <"$input" &
   victim=$!
@@ -86,7 +79,7 @@ finish() {
   sound "$1"
 }
 
-# strike SIGNALS: sends signals, like "KILL" or "INT INT", in a row; sets $struck to 1 if a signal hit
+# strike SIGNALS: sends signals, like "INT INT", in a row; sets $struck to 1 if a signal hit
 strike() {
   struck=0
   local signal
@@ -105,28 +98,24 @@ strike_at_random() {
   finish "taut ${*:3} (SIG$1 after $picked ms)"
 }
 
-# how_long ARGUMENT...: runs the program and sets $took to its duration, in ms
+# how_long ARGUMENT...: runs the program; sets $took, in ms
 how_long() {
   local from=${EPOCHREALTIME/./}
   taut "$@"
   took=$(((${EPOCHREALTIME/./} - from) / 1000 + 1))
 }
 
-# ---- disks
-
 # disk FOLDER KIB: mounts an empty disk of this size; returns 1 if mounting is not allowed
 disk() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && mkdir -p "$1" && mount -t tmpfs -o "size=$2k" none "$1"; }
 # resize FOLDER KIB
 resize() { mount -o "remount,size=$2k" "$1"; }
-# read_only FOLDER: makes the folder read-only, for root too
+# read_only FOLDER: read-only for root too
 read_only() { [[ $TAUT_FAULTS_MOUNTS == yes ]] && mount --bind "$1" "$1" && mount -o remount,bind,ro "$1"; }
-
-# ---- comparisons
 
 # record FOLDER: prints run.json without entries that vary between repetitions
 record() { sed -E '/^  "provenance": \{/,/^  \}/d; /"(setup|solve|cpu|render|write|particle_steps_per_second|threads|machine)":/d' "$1/run.json"; }
 
-# same_run GOOD FOLDER: the folder equals the folder GOOD of an undisturbed run
+# same_run GOOD FOLDER: the folder equals GOOD, an undisturbed run
 same_run() {
   local differs
   differs=$(diff -rq --exclude run.json --exclude run.lock "$1" "$2" 2>&1) || lost "$(head -n 3 <<<"$differs")"
@@ -149,11 +138,11 @@ part_of_run() {
   [[ ! -e $file || $(tail -n 1 "$file") == '</VTKFile>' ]] || torn "$file is incomplete"
 }
 
-# comparison of frames: cmp, or whole_png if the colour range depends on the frames drawn so far
+# cmp, or whole_png if the colour range depends on the frames drawn so far
 frames_are="cmp -s"
 whole_png() { [[ $(tail -c 8 "$1" | od -An -tx1) == " 49 45 4e 44 ae 42 60 82" ]]; }
 
-# as_in_one SAME FILE GOOD...: the command SAME accepts FILE and the file of the same name in one of the folders GOOD
+# as_in_one SAME FILE GOOD...: the command SAME accepts FILE and its namesake in one of the folders GOOD
 as_in_one() {
   local good
   for good in "${@:3}"; do $1 "$2" "$good/${2#"$folder/"}" && return; done
@@ -168,7 +157,6 @@ same_rows() {
   cmp -s <(head -n "$rows" "$1") <(head -n "$rows" "$2")
 }
 
-# whole_json FILE: the file is complete
 whole_json() { [[ $(tail -n 1 "$1") == "}" && $(head -n 1 "$1") == "{" ]] || torn "$1 is incomplete"; }
 
 # old_or_new PATH OLD NEW: the file or folder PATH equals OLD or NEW, or does not exist if one of them is ""
@@ -184,7 +172,6 @@ old_or_new() {
   torn "$1 is neither the old nor the new version"
 }
 
-# status FOLDER: prints the status in run.json
 status() { sed -n 's/^  "status": "\(.*\)",$/\1/p' "$1/run.json" 2>/dev/null; }
 
 # no_rests FOLDER: no temporary file is left

@@ -28,7 +28,7 @@ class Finding : public std::logic_error {
 };
 void expect(bool holds, const std::string& what);
 
-/// Calls `reading` and ignores taut's own errors.
+/// Ignores taut's own errors.
 void attempt(const std::function<void()>& reading);
 
 /// Splits at "%%%%\n" into `count` parts, possibly empty.

@@ -1,4 +1,4 @@
-// The environment variable TAUT_FUZZ_TARGET names the target, one of the table in fuzz_target.cpp.
+// The environment variable TAUT_FUZZ_TARGET names the target.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

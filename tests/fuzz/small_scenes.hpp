@@ -7,7 +7,7 @@
 
 namespace taut::fuzz {
 
-/// Whether a scene is small enough to fuzz.
+/// Small enough to fuzz.
 bool is_small(const Scene& scene);
 
 struct SmallScene {
@@ -79,7 +79,7 @@ frames = 2
 size = [64, 64]
 )";
 
-/// Scenes for each family except finite elements; some are in 3D.
+/// For each family except finite elements.
 inline constexpr std::array small_scenes = {
     SmallScene{"enog", disc_and_square},          SmallScene{"oenog", disc_and_square},
     SmallScene{"d-ulsph-r-tic", disc_and_square}, SmallScene{"tl", disc_and_square},

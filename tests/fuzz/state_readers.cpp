@@ -57,7 +57,7 @@ const std::string& state_of(std::size_t number) {
   return known[number];
 }
 
-/// Stream buffer that raises SIGTERM at the end of line number `lines`.
+/// Raises SIGTERM at the end of line number `lines`.
 class InterruptAfterLines : public std::streambuf {
  public:
   explicit InterruptAfterLines(int lines) : lines_(lines) {}

@@ -31,7 +31,7 @@ using namespace cli;
 
 namespace {
 
-/// Replaces slashes, so that paths stay inside the folder.
+/// Keeps paths inside the folder.
 std::string without_slashes(std::string text) {
   std::ranges::replace(text, '/', '_');
   return text;

@@ -7,7 +7,7 @@
 namespace references {
 namespace {
 
-/// Column of a table. `value` is called once per row, in the order of the rows, since `twist` keeps its last value.
+/// `value` is called once per row, in order, since `twist` keeps its last value.
 template <int d>
 struct Column {
   std::string name;
@@ -37,7 +37,7 @@ std::function<double(const Solid<3>&)> twist(const Solid<3>& solid, const Vector
   };
 }
 
-/// Advances `solid` and writes a row every `interval`, in s.
+/// Writes a row every `interval`, in s.
 template <int d>
 void run(Solid<d>& solid, const Settings& settings, double interval, double until, const Columns<d>& columns,
          std::ostream& table) {
@@ -56,8 +56,8 @@ void run(Solid<d>& solid, const Settings& settings, double interval, double unti
             << " of it gained by the end\n";
 }
 
-/// Cantilever [Zhang2024] §6.1 that swings in its first mode. Its elements are halved `at_clamp` times towards the clamp
-/// and `at_faces` times towards the faces, because stress is singular at the edges of the clamp.
+/// [Zhang2024] §6.1, first mode. Elements are halved `at_clamp` times towards the clamp and `at_faces` times towards the
+/// faces, because stress is singular at the edges of the clamp.
 Case oscillating_plate(Law law, double vf, int along, int at_clamp, int at_faces) {
   return [=](const Settings& settings, std::ostream& table) {
     constexpr double length = 0.2, height = 0.02, kl = 1.875;
@@ -133,7 +133,7 @@ Vector<3> foot(const Vector<3>& x) {
   return {held, held, held};
 }
 
-/// Column [Lee2016] §8.9.
+/// [Lee2016] §8.9.
 void twisting_column(const Settings& settings, std::ostream& table) {
   const auto across = axis(-0.5, 0.5, 6 * settings.refine);
   Solid<3> solid(
@@ -151,7 +151,7 @@ void twisting_column(const Settings& settings, std::ostream& table) {
          table);
 }
 
-/// Upper half of the free cube [Lee2016] §8.3, cut by its plane of symmetry z = 0.
+/// Upper half of the free cube [Lee2016] §8.3.
 void spinning_cube(const Settings& settings, std::ostream& table) {
   const auto across = axis(-0.5, 0.5, 12 * settings.refine);
   Solid<3> solid(
@@ -171,7 +171,7 @@ void spinning_cube(const Settings& settings, std::ostream& table) {
          table);
 }
 
-/// Quarter of the clamped cube [Lee2016] §8.4, cut by its planes of symmetry x = 0.5 and z = 0.5.
+/// Quarter of the clamped cube [Lee2016] §8.4.
 void tensile_cube(const Settings& settings, std::ostream& table) {
   const auto across = axis(0.5, 1, 4 * settings.refine);
   Solid<3> solid(
@@ -190,7 +190,7 @@ void tensile_cube(const Settings& settings, std::ostream& table) {
          table);
 }
 
-/// Thin plate [Zhang2024] §6.2 in the mode (p, q); the middle line of its edges is held along z.
+/// [Zhang2024] §6.2 in the mode (p, q); the middle line of the edges is held along z.
 Case oscillating_plate_3d(int p, int q, double until) {
   return [=](const Settings& settings, std::ostream& table) {
     constexpr double side = 0.4, thickness = 0.01;
@@ -210,8 +210,7 @@ Case oscillating_plate_3d(int p, int q, double until) {
   };
 }
 
-/// Quarter of the block [Lee2016] §8.5; its top face is driven downwards where x ≤ 10 mm. The face z = 5 mm slides in
-/// its plane unless `free_face`.
+/// Quarter of the block [Lee2016] §8.5. The face z = 5 mm slides in its plane unless `free_face`.
 Case coining(int per_centimetre, bool free_face) {
   return [=](const Settings& settings, std::ostream& table) {
     constexpr double depth = 0.005;

@@ -14,7 +14,7 @@ struct Settings {
   double until = std::numeric_limits<double>::infinity();  ///< end of the table, s, if the case ends later
 };
 
-/// Writes a table: a line with the names of the columns, then rows.
+/// Writes a line with the names of the columns, then rows.
 using Case = std::function<void(const Settings& settings, std::ostream& table)>;
 
 /// Cases by the name of their table in scenes/references/.

@@ -7,7 +7,7 @@
 
 namespace references {
 
-/// Number of elements that are computed together, in one vector register.
+/// Elements computed together, in one vector register.
 constexpr int lanes = 4;
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 
@@ -35,12 +35,12 @@ struct Material {
 
   /// Power m of J in the isochoric term J^(-m) tr C.
   double power() const { return law == Law::neo_hookean ? 2. / 3 : 1; }
-  /// Out-of-plane part of tr C: 1 for `neo_hookean` in 2D, else 0.
+  /// Out-of-plane part of tr C.
   template <int d>
   double across() const {
     return d == 2 && law == Law::neo_hookean ? 1 : 0;
   }
-  /// J^(-m), or not a number for a folded element, which ends the run.
+  /// J^(-m), or NaN for a folded element, which ends the run.
   template <class T>
   T isochoric(const T& jacobian) const {
     if constexpr (std::is_same_v<T, double>) {
@@ -54,7 +54,7 @@ struct Material {
   }
 };
 
-/// Deformation gradient F, its cofactors, its determinant J and tr C; T is a number or `Lanes`.
+/// Deformation gradient F and its cofactors; T is a number or `Lanes`.
 template <int d, class T>
 struct Strain {
   std::array<std::array<T, d>, d> f, cofactor;

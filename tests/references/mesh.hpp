@@ -92,7 +92,7 @@ inline void multiply(const Matrix& matrix, const T* in, T* out) {
     }
 }
 
-/// Multiplies by `matrix` along every axis, in place.
+/// Along every axis, in place.
 template <int d, class T>
 inline void multiply_all(const Matrix& matrix, T* values) {
   multiply<d, 0>(matrix, values, values);

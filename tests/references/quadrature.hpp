@@ -4,13 +4,13 @@
 
 namespace references {
 
-/// Order of the elements, and number of nodes and of quadrature points of an element along each axis.
+/// Order of the elements, and number of their nodes and quadrature points along each axis.
 constexpr int order = 4, n = order + 1;
 
 using Row = std::array<double, n>;
 using Matrix = std::array<Row, n>;
 
-/// Points in [-1, 1] and their weights.
+/// Points in [-1, 1].
 struct Rule {
   Row points, weights;
 };

@@ -7,7 +7,7 @@
 namespace references {
 namespace {
 
-/// Inverse and determinant of a d x d matrix.
+/// Inverse and determinant.
 template <int d>
 std::pair<std::array<Vector<d>, d>, double> inverse(const std::array<Vector<d>, d>& matrix) {
   const Strain<d, double> parts(matrix, 0);
@@ -45,7 +45,6 @@ Solid<d>::Solid(Mesh<d> mesh, const Material& material, const Field& velocity, c
   update_forces();
 }
 
-/// Computes masses, transit time and the geometry of the elements.
 template <int d>
 void Solid<d>::prepare() {
   const Matrix at_nodes = derivative(lobatto_.points);

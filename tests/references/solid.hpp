@@ -16,13 +16,13 @@ class Solid {
   /// Components for which `fixed` is not 0 keep their initial `velocity`.
   Solid(Mesh<d> mesh, const Material& material, const Field& velocity, const Field& fixed);
 
-  /// Keeps the nodes `contact` at x <= 0 from now on: a node that would pass the plane stops there.
+  /// Keeps the nodes `contact` at x <= 0: a node that would pass the plane stops there.
   void add_contact(std::vector<int> contact) { contact_ = std::move(contact); }
 
   /// Advances to `time` in equal steps of at most `courant` times the transit time of a wave between two nodes.
   void advance(double time, double courant);
 
-  /// Index of the node at the initial position `x`; throws if there is none.
+  /// Node at the initial position `x`; throws if there is none.
   int node_at(const Vector<d>& x) const;
   Vector<d> displacement(int node) const { return displacements_[node]; }
   Vector<d> position(int node) const;
@@ -34,7 +34,7 @@ class Solid {
  private:
   static constexpr int points = points_per_element<d>;
   using Values = std::array<Lanes, points>;
-  /// Elements that are advanced together; copies of an element, with weight 0, fill the last batch.
+  /// Copies of an element, with weight 0, fill the last batch.
   struct Batch {
     std::array<std::array<int, lanes>, points> nodes;
     std::array<std::array<Values, d>, d> inverse;  ///< ∂ξ_a/∂X_b at Gauss points: [a][b]

@@ -236,7 +236,7 @@ TEST_SUITE("image") {
     CHECK(rect.height == 50);
     double area = 0;
     for (int row = 0; row < 100; ++row) {
-      // the first colour of viridis has blue 84, so blue gives the covered part
+      // the first colour of viridis has blue 84
       for (int column = 0; column < 200; ++column) area += (255 - image.at(column, row)[2]) / (255.0 - 84);
     }
     CHECK(area == Approx(M_PI * 25 * 25).epsilon(0.005));

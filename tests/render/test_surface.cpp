@@ -177,7 +177,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("the light of a surface varies smoothly on round faces and changes at edges") {
-    // two triangles at a slight angle, a third at right angles; y downwards
+    // y points downwards
     const std::vector<Vector> points{{0, 0, 0}, {0, -1, 0}, {1, 0, 0.1}, {1, -1, 0.2}, {1, 0, -1}};
     const std::vector<std::uint32_t> triangles{0, 2, 1, 1, 2, 3, 2, 4, 3};
     const std::vector<float> light = smooth_light(points, triangles);

@@ -1,5 +1,5 @@
-# Shell functions for `run`. For each task, `run` sources this file in a new empty folder and calls one function. The
-# functions `command_…` at the end run every command of the program.
+# For each task, `run` sources this file in a new empty folder and calls one function. The functions `command_…` run
+# every command of the program.
 
 short_run() {  # SCENE METHOD SPACING UNTIL
   taut run "$1" --method "$2" --spacing "$3" --until "$4" --threads 2 --frames 2 --size 160x120 --save-particles \
@@ -19,7 +19,7 @@ frame a.png
 END
 }
 
-# Interrupts a run once it has a checkpoint, and resumes it. A run that ends before is not resumed.
+# Interrupts a run once it has a checkpoint, and resumes it.
 resumed() {  # SCENE METHOD SPACING UNTIL
   local code=0
   "$taut" run "$1" --method "$2" --spacing "$3" --until "$(times "$4" 3)" --checkpoint-every "$(times "$4" 0.2)" \
@@ -202,7 +202,6 @@ command_session() {
   expect 2 taut session colliding-rings --strict <<<nonsense
 }
 
-# on a terminal: line editing, completion, progress, a preview made of characters
 command_terminal() {
   [[ $(type -P script) ]] || return 0
   printf 'st\t 3\ninfo\npreview\nrun until 1e-4\nquit\n' |

@@ -15,7 +15,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Runs the quick claims of a paper about `scenes`; about all scenes if `scenes` is empty.
+/// Runs claims about all scenes if `scenes` is empty.
 void check_quick_claims(const std::string& paper, const std::vector<std::string>& scenes = {}) {
   const TemporaryFolder folder;
   std::vector<std::string> command{"claims", "--run"};

@@ -33,7 +33,7 @@ struct Run {
   double zigzag = 0, noise = 0;  // alternating shares of the positions and of the pressure
   Conservation kept;
   double gain = 0;    // greatest energy / energy supplied − 1; at least 0
-  double volume = 1;  // the ratio to the initial volume that is farthest from 1
+  double volume = 1;  // ratio to the initial volume, farthest from 1
 
   double value(const std::string& name) const {
     INFO(name);
@@ -43,8 +43,8 @@ struct Run {
   double off(const std::string& name) const { return value(name) - *measure.at(name).reference; }
 };
 
-/// Ratio of the greatest RMS of the alternating part of the pressure to the greatest RMS of the pressure, for particles
-/// that start at x ≥ `beyond`.
+/// Greatest RMS of the alternating pressure over the greatest RMS of the pressure, for particles that start at
+/// x ≥ `beyond`.
 class PressureNoise {
  public:
   PressureNoise(const Snapshot& start, double spacing, double beyond)

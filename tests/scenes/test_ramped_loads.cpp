@@ -19,7 +19,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A clamped beam whose load, a traction or its weight, grows from 0 during T. The first energies are near round-off.
+/// The first energies are near round-off.
 constexpr const char* beam = R"(
 title = "Beam at rest under a ramped load"
 spacing = "0.002"

@@ -75,7 +75,7 @@ TEST_SUITE("analytic") {
   }
 
   TEST_CASE("oscillating plate in 3D: tl and enog are too soft with three layers, and have no zigzags") {
-    // a sine with the period and the peak of finite elements
+    // period and peak of finite elements
     const double time = 0.003, period = 0.01367, peak = 2.16e-3;
     const double should = peak * std::sin(2 * std::numbers::pi * time / period);
     for (const auto& [method, least, most] : {std::tuple{"tl", 1.03, 1.08}, {"enog", 1.06, 1.1}}) {

@@ -25,7 +25,7 @@ class Reader {
  public:
   explicit Reader(const fs::path& page) : text_(text_of(page)) {}
 
-  /// Writes each file into `folder` and calls `run` with each indented command, in the order of the page.
+  /// Writes each file and calls `run` with each indented command, in the order of the page.
   template <class Run>
   void follow(const TemporaryFolder& folder, const Run& run) {
     static const std::regex target(R"((Write|Append) this (?:in)?to `([^`]+)`:$)");

@@ -64,7 +64,6 @@ bool is_generated(const std::string& document) {
   return document == "scenes/LANGUAGE.md" || document.starts_with("scenes/studies/results/");
 }
 
-/// False for rows of tables, indented code and lines with a link.
 bool is_running_text(const std::string& line) {
   return !line.starts_with('|') && !line.starts_with("    ") && line.find("](") == std::string::npos;
 }

@@ -9,7 +9,7 @@
 
 namespace taut::test {
 
-/// Checks that `engine` equals `expected` within `share` of the greatest magnitude of `expected`.
+/// `share`: tolerance relative to the greatest magnitude of `expected`.
 inline void check_field(const std::string& field, const std::vector<double>& engine,
                         const std::vector<double>& expected, double share = 1e-10) {
   CAPTURE(field);

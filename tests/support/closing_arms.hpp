@@ -9,7 +9,7 @@
 
 namespace taut::test {
 
-/// Two arms on a foot, `gap` apart, `height` long. Each tip starts inwards at `speed`, in sound speeds.
+/// Two arms on a foot. Each tip starts inwards at `speed`, in sound speeds.
 inline Scene closing_arms(int dim, double dp, double gap, double height, double speed) {
   const double in = 0.5 * gap, width = 0.005, out = in + width, deep = dim == 3 ? width : 0;
   Scene scene = scene_of_shapes({Box{{-out, 0, 0}, {-in, height, deep}}}, dim, dp);

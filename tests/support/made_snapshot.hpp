@@ -6,7 +6,6 @@
 
 namespace taut::test {
 
-/// Particles of mass 1 and density 1 in body 0, at rest and unstressed.
 inline Snapshot made_snapshot(int dim, const std::vector<Point>& places) {
   Snapshot now;
   now.dim = dim;
@@ -38,7 +37,7 @@ inline Scene made_scene(int dim, double spacing, const std::vector<Material>& ma
   return scene;
 }
 
-/// Material with exactly K = 1 and G = 1.5.
+/// Exactly K = 1 and G = 1.5.
 inline Material unit_bulk() {
   return {.name = "soft", .density = 1, .youngs_modulus = 3, .poisson_ratio = 0};
 }

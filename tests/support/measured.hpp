@@ -16,7 +16,7 @@ namespace taut::test {
 
 inline constexpr double pi = std::numbers::pi;
 
-/// Times from 0 with steps of 1 to 3 times `shortest`.
+/// Steps of 1 to 3 times `shortest`.
 inline std::vector<double> unequal_times(double end, double shortest) {
   std::vector<double> times = {0};
   for (int k = 0; times.back() < end; ++k) times.push_back(times.back() + shortest * (2 + std::sin(1.7 * k)));
@@ -29,7 +29,6 @@ inline Series sampled(const std::vector<double>& times, const std::function<doub
   return series;
 }
 
-/// Scene with one measure, of probe "y", and a second probe "gap".
 inline Scene scene_of(const std::string& kind) {
   Scene scene;
   scene.until = 1;

@@ -13,7 +13,6 @@
 
 namespace taut::test {
 
-/// Scene with surface contact and one body of ring rubber per shape.
 inline Scene scene_of_shapes(const std::vector<Shape>& shapes, int dim, double dp) {
   Scene scene;
   scene.name = "faces";
@@ -117,8 +116,7 @@ Vec<double, Dim> bent(Vec<double, Dim> x, double r) {
   return x;
 }
 
-/// Applies `motion` to a block, 20 mm long along y. Returns the number of particles that may touch and started at
-/// least `inside` from its ends.
+/// Number of particles of a block that may touch and started at least `inside` from its ends.
 template <int Dim, class Motion>
 int touching_after(const Motion& motion, double dp, double inside) {
   constexpr double height = 0.02;

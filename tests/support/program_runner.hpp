@@ -34,7 +34,7 @@ inline nlohmann::ordered_json json_of(const fs::path& path) {
   return nlohmann::ordered_json::parse(text_of(path));
 }
 
-/// Two soft discs that collide; `pull` stretches them along y.
+/// `pull` stretches the discs along y.
 inline std::string write_tiny_scene(const TemporaryFolder& folder) {
   std::ofstream(folder / "discs.toml") << R"(
 title = "Two discs"

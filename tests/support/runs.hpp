@@ -35,7 +35,7 @@ inline void make_steps(Simulation& simulation, long steps) {
   while (simulation.steps() < end) simulation.advance_to(std::nextafter(simulation.time(), 1.0));
 }
 
-/// State at `t`, interpolated over the step that reaches `t`.
+/// Interpolated over the step that reaches `t`.
 inline Snapshot state_at(double t, Simulation& simulation) {
   simulation.advance(t, t);
   const Snapshot before = simulation.snapshot();
@@ -49,7 +49,7 @@ inline Snapshot state_after(long steps, const Scene& scene, const Settings& sett
   return simulation->snapshot();
 }
 
-/// Value of the first probe at `t`, interpolated.
+/// Value of the first probe, interpolated.
 inline double value_at(const Series& series, double t) {
   const auto after = std::ranges::lower_bound(series.time, t) - series.time.begin();
   const double t0 = series.time[after - 1], t1 = series.time[after];

@@ -97,7 +97,6 @@ inline double shake(const Point& x, double wavelength) {
   return std::sin(k * (x[0] + 0.37 * x[1])) * std::cos(k * (0.61 * x[0] - x[1]) + 0.4);
 }
 
-/// Perturbed bodies that soon touch.
 inline Scene small_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -117,7 +116,6 @@ inline Scene small_collision() {
   return scene;
 }
 
-/// A perturbed plate, hit by a disc at the edge of its clamp.
 inline Scene small_clamped_plate() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.016, H = 0.005;
   Scene scene;
@@ -154,7 +152,6 @@ inline Scene rotating_plate(double speed) {
   return scene;
 }
 
-/// A rotating block, hit off centre by a ball, both perturbed.
 inline Scene small_solid_collision() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed();
   Scene scene;
@@ -177,7 +174,6 @@ inline Scene small_solid_collision() {
   return scene;
 }
 
-/// A perturbed block, hit by a ball at the edge of its clamp.
 inline Scene small_clamped_block() {
   const double dp = 0.001, c0 = ring_rubber().sound_speed(), L = 0.006, H = 0.003;
   Scene scene;

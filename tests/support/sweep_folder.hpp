@@ -19,7 +19,7 @@ inline std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
-/// Runs taut in a child process, started by sh because a process with threads must not fork.
+/// Started by sh because a process with threads must not fork.
 inline Outcome program(const Texts& arguments, const fs::path& folder = ".") {
   const TemporaryFolder streams;
   std::string command = "cd " + shell_word(folder.string()) + " && " TAUT_BINARY_DIR "/taut";
@@ -35,7 +35,7 @@ inline std::vector<std::string> tiny_sweep(const TemporaryFolder& folder, const 
   return arguments;
 }
 
-/// Lines of results.csv without the columns that vary between repetitions.
+/// Without the columns that vary between repetitions.
 inline std::vector<std::string> results(const fs::path& folder) {
   std::vector<std::string> lines = lines_of(folder / "results.csv");
   REQUIRE(lines.size() > 1);

@@ -52,7 +52,7 @@ class TerminalProgram {
     shown_.erase(0, end);
     return before;
   }
-  /// Waits for the prompt and for raw mode, which is set a moment later.
+  /// Also waits for raw mode, which is set a moment later.
   std::string wait_for_prompt() {
     const std::string shown = wait_for("> ");
     termios mode{};

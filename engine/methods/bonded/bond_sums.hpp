@@ -16,7 +16,7 @@ struct BondSums {
   Pack stiffest{};         // maximum s + 1/(4s²)
 };
 
-/// Sums over the bonds of a group, with damping (THEORY.md). `places`: x, then x + 3 τ v.
+/// With damping (THEORY.md). `places`: x, then x + 3 τ v.
 template <bool WithEnergy, int Dim, class Storage>
 [[gnu::always_inline]] inline BondSums<Dim> bond_sums(const PackedBondsView<Dim, Storage>& bonds,
                                                       const ColumnsView<2 * Dim>& places, int group,
@@ -57,7 +57,7 @@ inline constexpr TermInfo bonded_damping_info{
     "methods/bonded/bond_sums.hpp:bond_sums",
     "oenog: damping removes a zigzag and leaves the first mode nearly unchanged"};
 
-/// Adds the stress force Σ_j (Q_i + Q_j) a_ij, N.
+/// Adds Σ_j (Q_i + Q_j) a_ij, N.
 template <int Dim, class Storage>
 [[gnu::always_inline]] inline void add_stress_force(const PackedBondsView<Dim, Storage>& bonds,
                                                     const ColumnsView<Dim * Dim>& Q, int group,

@@ -19,7 +19,7 @@ struct alignas(sizeof(Pack)) CancelledOnLattice {
   static constexpr int faces = Dim == 2 ? 1 : 3;
   struct Face {
     Pack aa, bb, ab;  // e_a², e_b², e_a e_b of the diagonal with e_a e_b > 0
-    Pack third[2];    // ⅓ G V0_i w_ij in J; [0]: e_a e_b > 0, [1]: e_a e_b < 0
+    Pack third[2];    // ⅓ G V0_i w_ij in J; [0]: e_a e_b > 0, [1]: < 0
   };
   struct Across {
     Sym<Pack, 3> dyad;  // e ⊗ e of the diagonal with all e_a e_b > 0
@@ -29,7 +29,7 @@ struct alignas(sizeof(Pack)) CancelledOnLattice {
   Face face[faces];
   Across across;
 
-  /// Adds a bond of strength Gw = G V0_i w_ij, in J. Returns false if it does not fit the lattice.
+  /// Gw = G V0_i w_ij in J. Returns false if the bond does not fit the lattice.
   bool add(int lane, const Sym<double, Dim>& dyad, double Gw);
   /// As CancelledView::slopes.
   Sym<Pack, Dim> slopes(const Sym<Pack, Dim>& C) const;
@@ -107,14 +107,14 @@ Sym<Pack, Dim> CancelledOnLattice<Dim>::slopes(const Sym<Pack, Dim>& C) const {
 template <int Dim, class Storage = AlignedPack>
 struct CancelledView {
   static constexpr int dyad_size = Sym<Pack, Dim>::size - 1;
-  /// e ⊗ e of four bonds without its last component, which follows from the trace 1.
+  /// e ⊗ e of four bonds without its last component (the trace is 1).
   struct Dyad {
     Storage c[dyad_size];
   };
   class Stretch;
   struct GroupRows {
-    int dyad, third, count;  // first indices in `dyads` and `thirds`; number of bonds, even
-    int on_lattice;          // index in `on_lattice`; −1 if off-lattice
+    int dyad, third, count;  // first indices; number of bonds, even
+    int on_lattice;          // −1 if off-lattice
   };
 
   const GroupRows* groups = nullptr;
@@ -122,9 +122,9 @@ struct CancelledView {
   const Storage* thirds = nullptr;  // ⅓ G V0_i w_ij in J
   const CancelledOnLattice<Dim>* on_lattice = nullptr;
 
-  /// Returns G V0_i Σ_j w_ij φ_c′(λ°)/λ° e ⊗ e for C = Fᵀ F, in J. λ°: stretch of the bond by F alone.
+  /// G V0_i Σ_j w_ij φ_c′(λ°)/λ° e ⊗ e for C = Fᵀ F, in J. λ°: stretch of the bond by F alone.
   Sym<Pack, Dim> slopes(int group, const Sym<Pack, Dim>& C) const;
-  /// Returns G V0_i Σ_j w_ij φ_c(s°), in J; s° = λ°² = e·C e.
+  /// G V0_i Σ_j w_ij φ_c(s°), in J; s° = λ°² = e·C e.
   Pack energy(int group, const Sym<Pack, Dim>& C) const;
 };
 
@@ -155,7 +155,6 @@ class CancelledBonds {
   SharedRows<CancelledOnLattice<Dim>> on_lattice_;
 };
 
-/// Computes s° = e·C e from the stored e ⊗ e.
 template <int Dim, class Storage>
 class CancelledView<Dim, Storage>::Stretch {
  public:

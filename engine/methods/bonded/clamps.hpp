@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Points on faces of rigid regions where bonds end (THEORY.md, Clamps), in columns after the particles.
+/// Points where bonds into rigid regions end (THEORY.md, Clamps), in columns after the particles.
 template <int Dim>
 class Clamps {
  public:
@@ -38,7 +38,7 @@ class Clamps {
 
   bool has_driven() const { return !driven_.empty(); }
 
-  /// Moves places on driven regions. `ahead`: 3 τ in s.
+  /// `ahead`: 3 τ in s.
   void follow(const Particles<Dim>& s, double ahead, const ColumnsView<2 * Dim>& places) const {
     for (const auto& [place, rigid_particle, from_rigid_particle] : driven_)
       for (int k = 0; k < Dim; ++k) {
@@ -47,7 +47,7 @@ class Clamps {
       }
   }
 
-  /// For each bond to a clamp, calls use(stored index of the rigid particle, force on the free particle in N).
+  /// Calls use(stored index of the rigid particle, force on the free particle in N).
   template <class Storage, class Use>
   void for_each_pull(const PackedBonds<Dim, Storage>& packed, const ColumnsView<2 * Dim>& places,
                      const ColumnsView<Dim * Dim>& Q, double least_r2, const Use& use) const {

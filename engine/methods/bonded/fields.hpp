@@ -10,12 +10,12 @@
 
 namespace taut {
 
-/// Volumes of four particles and their constants of the default law.
+/// Volumes and default law of four particles.
 struct alignas(sizeof(Pack)) GroupLaw {
   Pack V;  // in m^Dim; 0 in padding and for particles whose bonds determine no F
   ClosedNeoHookean<Pack> law;
 };
-/// Indices of the group in `group_laws` and `B`.
+/// Indices in `group_laws` and `B`.
 struct GroupRows {
   int law, B;
 };
@@ -44,7 +44,7 @@ struct BondedFields {
   const int* material;  // padded to whole groups
   const GroupRows* groups;
   const GroupLaw* group_laws;
-  const Mat<Pack, Dim>* B;  // inverse moment matrices; index: GroupRows::B
+  const Mat<Pack, Dim>* B;  // inverse moment matrices
   BondsView<Dim, AlignedPack> bonds;
   BondsView<Dim, HalfPack> halved_bonds;  // off-lattice in 3D
   bool halved;
@@ -66,7 +66,7 @@ struct BondedFields {
 template <int Dim>
 struct alignas(sizeof(Pack)) ShownGroup {
   ShownStress<Pack, Dim> stress;
-  Pack energy;  // strain energy in J, without the interface terms
+  Pack energy;  // in J, without the interface terms
 };
 
 }  // namespace taut

@@ -57,7 +57,7 @@ class InterfaceSites {
     Direction g, e;                 // 1/m; initial direction
     double per_r0_squared;          // 1/m²
     double strength, own_strength;  // J, see SiteBond
-    int pull;                       // index in pulls_, or −1
+    int pull;                       // in pulls_, or −1
   };
   struct Kink {
     int j;
@@ -68,9 +68,9 @@ class InterfaceSites {
     double V, share;    // m^Dim; θ
     Direction N, m;     // see THEORY.md
     Square B;
-    int bond, bonds, kink, kinks;  // index ranges: [bond, bonds) in bonds_, [kink, kinks) in kinks_
+    int bond, bonds, kink, kinks;  // ranges in bonds_ and kinks_
   };
-  /// F_i, F_own, F_other, and F_own − ½ b ⊗ N in the middle of a bond across the interface.
+  /// `across`: F_own − ½ b ⊗ N, in the middle of a bond across the interface.
   struct Deformations {
     Square mean, own, other, across;
   };
@@ -90,7 +90,6 @@ class InterfaceSites {
   Square stress(int site, const Column& x, const Law& law);
   template <class Column>
   Deformations deformations(const StoredSite& site, const Column& x) const;
-  /// F + share b ⊗ n
   static Square with(const Square& F, double share, const Direction& b, const Direction& n) {
     Square sum = F;
     for (int a = 0; a < Dim; ++a)
@@ -144,7 +143,7 @@ InterfaceSites<Dim>::InterfaceSites(const BondedSetup& setup, const std::vector<
   share_out();
 }
 
-/// Sorts shares by group, so that no two threads add to one group.
+/// Sorts shares by group: no two threads add to one group.
 template <int Dim>
 void InterfaceSites<Dim>::share_out() {
   struct Part {

@@ -16,9 +16,9 @@ namespace taut {
 /// Constants of four bonds; 0 in padding.
 template <class Storage>
 struct alignas(sizeof(Pack)) Spring {
-  Pack third_of_k;  // k/3, N/m
+  Pack third_of_k;  // N/m
   Pack per_r0_squared;
-  Pack half_r0_squared;  // ½ r0², m²
+  Pack half_r0_squared;  // m²
 
   static Spring of(const Pack& third_of_k, const Pack& per_r0_squared, const Pack& half_r0_squared) {
     return {third_of_k, per_r0_squared, half_r0_squared};
@@ -29,7 +29,7 @@ struct alignas(sizeof(Pack)) Spring {
   Pack half_inverse(const Pack& r2) const { return half_r0_squared / r2; }
 };
 
-/// Spring in half the bytes. 1/r0² stays in double precision, so that bonds at rest have no force.
+/// 1/r0² stays in double precision, so that bonds at rest have no force.
 template <>
 struct Spring<HalfPack> {
   HalfPack third_of_k;
@@ -53,8 +53,7 @@ struct BondToClamp {
   int group, lane, bond, place;
 };
 
-/// Bonds of groups of four particles: first bonds with a_ij ≠ 0, then the others, each part in storage order. Storage
-/// is AlignedPack, or HalfPack off-lattice in 3D.
+/// Bonds of groups of four particles: first bonds with a_ij ≠ 0, then the others, each part in storage order.
 template <int Dim, class Storage>
 struct PackedBondsView {
   struct GroupRows {  // first indices, numbers of slots

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Number of groups in a block. One loop computes the cube roots of a block, so that their dependency chains overlap.
+/// One loop computes the cube roots of a block, so that their dependency chains overlap.
 inline constexpr int groups_of_block = 8;
 template <int Dim>
 int block_count(const BondedFields<Dim>& f) {
@@ -26,7 +26,7 @@ struct StrainOfFour {
   Pack root;             // c^(−1/3) of the default law (THEORY.md)
 };
 
-/// Advances x by `dt`, half a step, and sets the particles' `places`.
+/// `dt`: half a step. Sets the particles' `places`.
 template <const BondedFormulation&, int Dim>
 void half_drift(const BondedFields<Dim>& f, double dt, const Threads& threads) {
   parallel_for(f.group_count(), threads, [&](int group) {
@@ -104,7 +104,7 @@ void set_stress(const BondedFields<Dim>& f, const BondsView<Dim, Storage>& bonds
     for (int k = 0; k < Dim; ++k) store(Q(a, k), f.Q[a * Dim + k] + lanes * group);
 }
 
-/// Computes bond forces and Q. Returns the maximum stiffness relative to rest.
+/// Returns the maximum stiffness relative to rest.
 template <const BondedFormulation& M, int Dim>
 double stress_pass(const BondedFields<Dim>& f, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -134,7 +134,7 @@ template <int Dim, class Storage>
   return force;
 }
 
-/// Advances v by all forces, then x by half a step. Returns the maximum v², m²/s².
+/// Advances v, then x by half a step. Returns the maximum v², m²/s².
 template <const BondedFormulation&, int Dim>
 double force_pass(const BondedFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   return f.with_bonds([&](const auto& bonds) {
@@ -169,7 +169,7 @@ void inner_forces(const BondedFields<Dim>& f, Vec<double, Dim>* out, const Threa
   });
 }
 
-/// Returns the energies of four particles, J.
+/// Returns energies in J.
 template <const BondedFormulation& M, int Dim>
 Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>& now) {
   return f.with_bonds([&](const auto& bonds) {
@@ -178,7 +178,7 @@ Pack strain_and_energy(const BondedFields<Dim>& f, int group, StrainOfFour<Dim>&
   });
 }
 
-/// Energy of each particle in J, one pack per group.
+/// In J, one pack per group.
 template <const BondedFormulation& M, int Dim>
 void energy_pass(const BondedFields<Dim>& f, AlignedPack* out, const Threads& threads) {
   parallel_pass(f.group_count(), threads, [&](int group) {

@@ -12,12 +12,12 @@ namespace taut {
 /// Stress for snapshots, from the material law without its continuation below J = ½.
 template <class T, int Dim>
 struct alignas(alignment_of<T>) ShownStress {
-  T J, p;         // volume ratio; pressure, positive in compression, Pa
+  T J, p;         // p positive in compression, Pa
   Sym<T, Dim> s;  // deviator, Pa
-  T s_zz;         // deviator out of plane, in 2D, Pa
+  T s_zz;         // out of plane, in 2D, Pa
 };
 
-/// Stress of the default law. In the deviator, J is limited to at least 0.05.
+/// In the deviator, J is limited to at least 0.05.
 template <int Dim>
 ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat<Pack, Dim>& F) {
   const Pack J = determinant(F), root = inverse_cube_root(max(J, filled<Pack>(0.05)));
@@ -30,7 +30,7 @@ ShownStress<Pack, Dim> shown_neo_hookean(const Pack& K, const Pack& G, const Mat
   return {J, -K * (J - 1), shear * b, shear * (1 - mean)};
 }
 
-/// Stress of any other law; below J = 0.05 only the pressure −K (J − 1).
+/// Below J = 0.05 only the pressure −K (J − 1).
 template <class L, int Dim>
 ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   const double J = determinant(F);
@@ -41,7 +41,7 @@ ShownStress<double, Dim> shown_stress(const L& law, const Mat<double, Dim>& F) {
   return {J, p, sigma, zz + p};
 }
 
-/// Returns F, replaced by the recovered gradient for particles that have one. `u`: displacements in m.
+/// F, replaced by the recovered gradient of particles that have one. `u`: displacements in m.
 template <int Dim>
 Mat<Pack, Dim> recovered_deformations(const RecoveredView& recovered, const AlignedPack* u, int size,
                                       int first, Mat<Pack, Dim> F) {

@@ -69,7 +69,7 @@ class Bonded final : public Scheme<Dim> {
   Constraints constraints_;    // [id]
   double wave_speed_;          // m/s
   double layout_ = 1;          // highest ω² at the start over the highest ω² of a lattice, at least 1
-  double stiffest_ = 1;        // maximum stiffness in the last step, relative to rest
+  double stiffest_ = 1;        // in the last step, relative to rest
   SharedRows<GroupLaw> group_laws_;
   SharedRows<Mat<Pack, Dim>> B_;
   std::vector<GroupRows> groups_;

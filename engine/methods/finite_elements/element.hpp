@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// out = Σ_k table[i][k] in[k] along an axis of a grid with n numbers per axis; with table[k][i] if `transposed`.
+/// out = Σ_k table[i][k] in[k] along an axis of a grid with n numbers per axis; table[k][i] if `transposed`.
 template <int n, int Dim, int axis, bool transposed>
 [[gnu::always_inline]] inline void along(const typename LineElement<n>::Table& table, const Pack* in,
                                          Pack* out) {
@@ -25,7 +25,7 @@ template <int n, int Dim, int axis, bool transposed>
       }
 }
 
-/// Derivative along axis `sloped` at the Gauss points, from values at nodes; transposed: its adjoint.
+/// Derivative along axis `sloped` at the Gauss points from nodal values; transposed: its adjoint.
 template <int n, int Dim, int sloped, bool transposed>
 [[gnu::always_inline]] inline void differentiate(const Pack* in, Pack* out) {
   using Line = LineElement<n>;
@@ -49,9 +49,8 @@ T root_of(const T& a, std::integral_constant<int, 3>) {
   return inverse_cube_root(T(1 / a));
 }
 
-/// Deformation gradients F of four elements at their Gauss points, and F̄ = (J̄/J)^(1/d) F, [Simo1985], for small
-/// strains [Hughes1980]. J̄ is J = det F projected on the constant (fe2: linear) functions of the element. Departure:
-/// d = 2 in 2D, not 3.
+/// F of four elements at their Gauss points, and F̄ = (J̄/J)^(1/d) F, [Simo1985], for small strains [Hughes1980]. J̄ is
+/// J = det F projected on the constant (fe2: linear) functions of the element. Departure: d = 2 in 2D, not 3.
 template <int n, int Dim>
 struct ElementStrain {
   static constexpr int N = power_of(n, Dim), modes = volume_modes(n - 1, Dim);
@@ -89,7 +88,7 @@ struct ElementStrain {
   Mat<Pack, Dim> with_mean_volume(int q) const { return scale(q) * F[q]; }
 };
 
-/// Forces −∂E/∂x on the nodes, N, of the energy E = Σ_q w ψ(F̄):
+/// Nodal forces −∂E/∂x, N, of E = Σ_q w ψ(F̄):
 ///   P = s P̄ + (Π(t/J̄) − t/J) cof F,  s = (J̄/J)^(1/d),  t = P̄:F̄/d,  Π: projection on the modes.
 template <int n, int Dim, class Laws>
 [[gnu::always_inline]] inline void element_force(const Pack (&u)[Dim][power_of(n, Dim)],

@@ -14,7 +14,6 @@ struct ElementPoint {
   alignas(sizeof(Pack)) Pack mode[modes];  // orthonormal functions that span the volume ratio, m^(−Dim/2)
 };
 
-/// Number of functions that span the volume ratio of an element.
 constexpr int volume_modes(int order, int dim) { return order == 1 ? 1 : dim + 1; }
 
 template <int Dim>
@@ -25,7 +24,7 @@ struct FiniteElementFields {
   int groups;  // of four elements
   V* x;
   const V *v, *X;
-  V* u;                 // displacement x − X, m
+  V* u;                 // x − X, m
   const int* node;      // [group][local node][lane]
   const int* material;  // [element]
   const void* points;   // ElementPoint [group][Gauss point]

@@ -56,7 +56,7 @@ void element_pass(const FiniteElementFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Sum of the element forces on four nodes, N.
+/// Element forces on four nodes, N.
 template <int Dim>
 Vec<Pack, Dim> nodal_force(const FiniteElementFields<Dim>& f, int group) {
   Vec<Pack, Dim> force{};
@@ -70,7 +70,7 @@ Vec<Pack, Dim> nodal_force(const FiniteElementFields<Dim>& f, int group) {
   return force;
 }
 
-/// Advances v by all forces, then x by half a step. Returns the maximum v², m²/s².
+/// Advances v, then x by half a step. Returns the maximum v², m²/s².
 template <const FiniteElementFormulation& M, int Dim>
 double node_pass(const FiniteElementFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   const int groups = (f.size + lanes - 1) / lanes;
@@ -84,7 +84,7 @@ double node_pass(const FiniteElementFields<Dim>& f, const Kick<Dim>& kick, const
   });
 }
 
-/// F̄ at the Gauss points of some groups of elements: out[N k + q].
+/// F̄ at the Gauss points: out[N k + q].
 template <const FiniteElementFormulation& M, int Dim>
 void strain_pass(const FiniteElementFields<Dim>& f, const int* groups, int count, Mat<Pack, Dim>* out,
                  const Threads& threads) {
@@ -97,7 +97,7 @@ void strain_pass(const FiniteElementFields<Dim>& f, const int* groups, int count
   });
 }
 
-/// Bound of the squared frequencies of all elements, 1/s², from their mean deformation gradients.
+/// Bound of the elements' squared frequencies, 1/s², from mean deformation gradients.
 template <const FiniteElementFormulation& M, int Dim>
 double rate_pass(const FiniteElementFields<Dim>& f, const Threads& threads) {
   constexpr int N = nodes_of_element<M, Dim>;

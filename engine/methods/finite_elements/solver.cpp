@@ -93,7 +93,7 @@ struct OneElement {
   }
 };
 
-/// Weight of Gauss point q of an element, m^Dim.
+/// In m^Dim.
 template <int n, int Dim>
 double weight_of(const std::vector<Vec<Pack, 1>>& points, int element, int q) {
   using Point = ElementPoint<Dim, volume_modes(n - 1, Dim)>;
@@ -143,7 +143,7 @@ FiniteElements<Dim>::FiniteElements(Common<Dim>& common, const SolverInput& inpu
   update_rate();
 }
 
-/// Stores the elements in groups of four; copies of the last element fill the last group.
+/// Copies of the last element fill the last group of four.
 template <int Dim>
 template <int n>
 void FiniteElements<Dim>::set_up(const SolverInput& input) {
@@ -183,7 +183,7 @@ void FiniteElements<Dim>::set_up(const SolverInput& input) {
   }
 }
 
-/// Sets the greatest squared frequency of two equal face nodes joined by a contact spring, 1/s².
+/// Greatest squared frequency of two equal face nodes joined by a contact spring, 1/s².
 template <int Dim>
 void FiniteElements<Dim>::set_contact_rate(const SolverInput& input) {
   const Constants& c = common_.constants;
@@ -216,7 +216,7 @@ void FiniteElements<Dim>::update_rate() {
   if (!(rate_ <= greatest_rate_ratio * first_rate_)) throw_crushed();
 }
 
-/// Throws NumericalError with the first node of the most crushed element, or of the first element whose J is NaN.
+/// Throws NumericalError with the first node of the most crushed element, or of the first with J = NaN.
 template <int Dim>
 void FiniteElements<Dim>::throw_crushed() const {
   const int N = mesh_.nodes_of_each();
@@ -250,7 +250,7 @@ void FiniteElements<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Calls take(element, F_at) for the elements of `groups`; F_at(q) is F̄ at Gauss point q at the current positions.
+/// Calls take(element, F_at) for the elements of `groups`; F_at(q) is the current F̄ at Gauss point q.
 template <int Dim>
 template <class Take>
 void FiniteElements<Dim>::with_strains(const std::vector<int>& groups, const Take& take) const {

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Total-Lagrangian finite elements with lumped masses. Particles are nodes. Position Verlet with forces at mid-step.
+/// Total-Lagrangian finite elements with lumped masses. Position Verlet with forces at mid-step.
 template <int Dim>
 class FiniteElements final : public Scheme<Dim> {
  public:
@@ -42,7 +42,7 @@ class FiniteElements final : public Scheme<Dim> {
   Materials materials_;
   std::vector<V> X_, u_;
   std::vector<int> node_, material_;
-  // std::vector<Pack> would misalign packs without AVX; Vec aligns them
+  // std::vector<Pack> would misalign packs without AVX
   std::vector<Vec<Pack, 1>> points_;  // memory of ElementPoint structs
   std::vector<Vec<Pack, 1>> rates_;   // [group]
   std::vector<double> force_;

@@ -30,7 +30,7 @@ std::vector<TermInfo> terms(const TlDisplacementFormulation& m) {
 std::vector<ConstantRow<TlDisplacementConstants>> constants(const TlDisplacementFormulation& m, int dim) {
   using C = TlDisplacementConstants;
   const bool corrected = m.gradient == GradientCorrection::corrected;
-  // least h/dp; with 0.36 the support 3 h just includes the nearest neighbours
+  // with 0.36 the support 3 h just includes the nearest neighbours
   const double least_h = corrected ? 0.8 : 0.36;
   std::vector<ConstantRow<C>> c{{&C::h, smoothing_length(m, dim, least_h)}};
   if (!corrected)

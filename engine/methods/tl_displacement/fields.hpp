@@ -23,7 +23,7 @@ struct TlDisplacementFields {
   ColumnsView<Dim * Dim> stress;  // V P B, row by row, N/m^(Dim − 1); pair shear: P, Pa
   // null without a pair force
   PairLanesView<Dim, Dim + 2> bonds;  // X_i − X_j and weights
-  ColumnsView<Dim * Dim> F;           // deformation gradient; only with the hourglass force
+  ColumnsView<Dim * Dim> F;           // only with the hourglass force
   ColumnsView<Dim> velocity;          // pair shear: v before the kick, m/s
   ColumnsView<1> viscosity, shear;    // pair shear: χ, Pa s; g, Pa
   double shear_factor;

@@ -62,7 +62,7 @@ Mat<Pack, Dim> tensor_at(const ColumnsView<Dim * Dim>& columns, int first) {
   return A;
 }
 
-/// Pair forces on four particles, N.
+/// In N.
 template <const TlDisplacementFormulation& M, int Dim>
 Vec<Pack, Dim> pair_force(const TlDisplacementFields<Dim>& f, int group) {
   constexpr bool shear = M.pair_force == PairForce::shear;
@@ -93,7 +93,7 @@ Vec<Pack, Dim> pair_force(const TlDisplacementFields<Dim>& f, int group) {
   return sum;
 }
 
-/// Internal forces on four particles, N.
+/// In N.
 template <const TlDisplacementFormulation& M, int Dim>
 Vec<Pack, Dim> internal_force(const TlDisplacementFields<Dim>& f, int group) {
   if constexpr (M.pair_force == PairForce::none) return f.pairs.pair_sum(f.stress, group);
@@ -101,7 +101,7 @@ Vec<Pack, Dim> internal_force(const TlDisplacementFields<Dim>& f, int group) {
   return f.pairs.pair_sum(f.stress, group) + pair_force<M>(f, group);
 }
 
-/// Advances v by all forces, then x by half a step. Returns the maximum v², m²/s².
+/// Advances v, then x by half a step. Returns the maximum v², m²/s².
 template <const TlDisplacementFormulation& M, int Dim>
 double force_pass(const TlDisplacementFields<Dim>& f, const Kick<Dim>& kick, const Threads& threads) {
   if (kick.impulse)

@@ -69,7 +69,7 @@ TlDisplacement<Dim>::TlDisplacement(Common<Dim>& common, const SolverInput& inpu
         .shear_factor = c.shear_factor};
 }
 
-/// Pairs with X_i − X_j and the weights: w_i, w_j of hourglass_force or s of pair_shear_force.
+/// X_i − X_j and the weights: w_i, w_j of hourglass_force or s of pair_shear_force.
 template <int Dim>
 auto TlDisplacement<Dim>::make_bonds(const SolverInput& input, PairForce force, double alpha) const -> Bonds {
   const std::vector<int>& begin = body_.pairs.begin;

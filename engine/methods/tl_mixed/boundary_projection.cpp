@@ -13,7 +13,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// Matrix whose column m is e_m × z.
+/// Column m is e_m × z.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& z) {
   Eigen::Matrix3d m;
   m << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
@@ -33,7 +33,7 @@ void refer_to_centroid(std::vector<Point>& Z, const std::vector<double>& m) {
 
 }  // namespace
 
-/// The conditions for one velocity component: points and factorised K (THEORY.md).
+/// Conditions for one velocity component (THEORY.md).
 struct BoundaryProjection::Factor {
   std::vector<int> points;
   Sparse w;  // w_a(X_B), a column per point

@@ -9,16 +9,15 @@
 
 namespace taut {
 
-/// A particle with prescribed velocity components; f(X_B) = Σ_a w_a f_a, [Lee2016] Eq. 23.
+/// f(X_B) = Σ_a w_a f_a, [Lee2016] Eq. 23.
 struct BoundaryPoint {
   std::vector<std::pair<int, double>> w;  // index a in `v`; w_a = V_a W̃_a(X_B)
   unsigned axes = 0;                      // bit k: prescribed component
   Point velocity{};                       // m/s
 };
 
-/// Changes v as little as possible, weighted by mass, so that interpolated velocities are the prescribed ones,
-/// [Lee2016] Appendix B (THEORY.md). Conserves both momenta. Set boundary particles to their prescribed velocities
-/// first.
+/// Changes v least, weighted by mass, so that interpolated velocities are the prescribed ones, [Lee2016] Appendix B
+/// (THEORY.md). Conserves both momenta. Set boundary particles to their prescribed velocities first.
 class BoundaryProjection {
  public:
   /// `m` in kg. Throws SceneError if the conditions at the points are linearly dependent.

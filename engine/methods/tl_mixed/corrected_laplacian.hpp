@@ -69,7 +69,7 @@ inline constexpr TermInfo corrected_laplacian_info{
     "methods/tl_mixed/corrected_laplacian.hpp:corrected_laplacian",
     "corrected Laplacian: in 2D linear fields give 0, and the squared distance 4, at surfaces too"};
 
-/// Weights V_j w_ji/V_i of the adjoint L* (THEORY.md).
+/// V_j w_ji/V_i of the adjoint L* (THEORY.md).
 template <int Dim>
 std::vector<double> adjoint_weights(const InitialPairs<Dim>& pairs, const std::vector<double>& w,
                                     const std::vector<double>& V, int threads) {
@@ -138,7 +138,7 @@ Vec<Pack, N> second_laplacian(const LaplacianView<Dim>& pairs, const ColumnsView
   return sum;
 }
 
-/// Spectral radius of the biharmonic term, times dp⁴, 1 to 2 % low, by power iteration.
+/// Times dp⁴, 1 to 2 % low, by power iteration.
 template <int Dim>
 double biharmonic_spectral_radius(const LaplacianView<Dim>& pairs, int particles, int threads) {
   constexpr int fields = 2;

@@ -15,17 +15,17 @@ struct Strains {
   Mat<Pack, Dim>* H;  // cofactor of F; null unless an unknown
 };
 
-/// External actions on particle i in the stages of a step; null if inactive.
+/// External actions on particle i; null if inactive.
 template <int Dim>
 struct StageActions {
   using V = Vec<double, Dim>;
 
   void* of;
-  /// Adds the acceleration by loads, m/s².
+  /// Adds to `a`, m/s².
   void (*load)(void* of, int i, V& a);
   /// Sets prescribed `v` after the first stage.
   void (*steer)(void* of, int i, V& v);
-  /// Sets prescribed `v` at the end of the step and adds the work of loads and drives. `before`: v at its start.
+  /// Sets prescribed `v` at the end of the step and adds the work. `before`: v at the start.
   void (*close)(void* of, int i, double dt, const V& before, V& v);
 };
 
@@ -42,11 +42,11 @@ struct TlMixedFields {
   const int* material;
   const Sites<Dim>* sites;
   LawsInUse laws;
-  double wave_speed;                              // c_p of the unstrained body, m/s
-  bool one_sided;                                 // internal force by one_sided_sum
+  double wave_speed;  // c_p of the unstrained body, m/s
+  bool one_sided;
   PairLanesView<Dim> pairs;                       // k_ij
   PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, dp² × weights of L and of its adjoint L*
-  Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s
+  Strains<Dim> now, start, rate;                  // `rate`: 1/s
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
   ColumnsView<Dim * Dim> stress;                  // V P B, or P if one-sided, row by row
   ColumnsView<Dim + 1> once;                      // dp² L[(v, J)], L of corrected_laplacian.hpp

@@ -7,9 +7,9 @@
 namespace taut {
 
 enum class Unknowns : std::uint8_t {
-  v_F,      // {p, F}, [Lee2016] §3.3.2
-  v_F_J,    // {p, F, J}
-  v_F_H_J,  // {p, F, H, J}
+  v_F,  // [Lee2016] §3.3.2
+  v_F_J,
+  v_F_H_J,
 };
 
 struct TlMixedSwitches {

@@ -11,7 +11,7 @@ struct TlMixedKernels {
   using Fields = TlMixedFields<Dim>;
   using Actions = StageActions<Dim>;
 
-  bool has_J, has_H;  // whether J and H are unknowns
+  bool has_J, has_H;
   void (*start_gradients)(const Fields& f);
   double (*greatest_stiffness)(const Fields& f, const Threads& threads);
   void (*stiffnesses)(const Fields& f, AlignedPack* out);

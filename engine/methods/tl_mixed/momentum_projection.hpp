@@ -34,7 +34,7 @@ struct RotationSums<3> {
   }
 };
 
-/// Volumes of i … i + 3; 0 from `last` on.
+/// Volumes are 0 from `last` on.
 inline Pack volumes_of_four(const double* V, int i, int last) {
   if (i + lanes <= last) return load(V + i);
   Pack four{};
@@ -42,9 +42,8 @@ inline Pack volumes_of_four(const double* V, int i, int last) {
   return four;
 }
 
-/// Changes the accelerations `a` of a body as little as possible (squares weighted by volume) so that total force and
-/// torque vanish, [Lee2016] Eq. 45–48. The body must have uniform density. `a` is padded by a pack; `share` scales
-/// the change.
+/// Changes `a` of a body of uniform density as little as possible (squares weighted by volume) so that total force and
+/// torque vanish, [Lee2016] Eq. 45–48. `a` is padded by a pack; `share` scales the change.
 template <int Dim>
 void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, const double* V, int first,
                         int last, double share = 1) {
@@ -73,7 +72,7 @@ void project_on_momenta(const ColumnsView<Dim>& a, const Vec<double, Dim>* Z, co
         for (int lane = 0; lane < last - i; ++lane) a[k][i + lane] = left[k][lane];
   }
 }
-/// Removes the volume-weighted mean. [Lee2016] Eq. 51
+/// Volume-weighted mean, [Lee2016] Eq. 51.
 inline void subtract_mean(const ColumnsView<1>& f, const double* V, int first, int last, double share) {
   Pack volume{}, total{};
   for (int i = first; i < last; i += lanes) {

@@ -49,7 +49,7 @@ struct UnknownsOf {
   }
 };
 
-/// Sets F, J and H of bodies that start displaced; `flow` contains x − X, m.
+/// `flow` contains x − X, m.
 template <const TlMixedFormulation& M, int Dim>
 void start_gradients(const TlMixedFields<Dim>& f) {
   using U = UnknownsOf<M, Dim>;
@@ -60,7 +60,7 @@ void start_gradients(const TlMixedFields<Dim>& f) {
   }
 }
 
-/// Maximum stiffness_bound of all particles, Pa.
+/// Maximum stiffness_bound, Pa.
 template <const TlMixedFormulation& M, int Dim>
 double greatest_stiffness(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -104,7 +104,7 @@ void set_columns(const TlMixedFields<Dim>& f, const Threads& threads) {
   });
 }
 
-/// Computes rates without dissipation; for methods with dissipation also dp² L[U].
+/// Rates without dissipation; for methods with dissipation also dp² L[U].
 template <const TlMixedFormulation& M, int Dim>
 void gather_pass(const TlMixedFields<Dim>& f, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;
@@ -171,7 +171,7 @@ template <int Dim, class F>
   for (int i = first; i < last; ++i) use(i);
 }
 
-/// Adds the impulse of a stage, for reaction probes.
+/// Adds the impulse of a stage.
 template <int Dim>
 [[gnu::noinline]] void watch(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, int group,
                              Vec<Pack, Dim> a) {
@@ -221,7 +221,7 @@ void predict(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActi
   });
 }
 
-/// Second stage: sets U to ½ (U + U* + Δt U̇(U*)). Returns the maximum v², m²/s².
+/// Second stage, ½ (U + U* + Δt U̇(U*)). Returns the maximum v², m²/s².
 template <const TlMixedFormulation& M, int Dim>
 double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageActions<Dim>& actions,
                const Threads& threads) {
@@ -251,7 +251,7 @@ double correct(const TlMixedFields<Dim>& f, const Kick<Dim>& kick, const StageAc
   });
 }
 
-/// Advances F, J and H by `dt` with the velocities in `flow`.
+/// Advances F, J and H with the velocities in `flow`.
 template <const TlMixedFormulation& M, int Dim>
 void follow(const TlMixedFields<Dim>& f, double dt, const Threads& threads) {
   using U = UnknownsOf<M, Dim>;

@@ -9,8 +9,7 @@
 
 namespace taut {
 
-/// V_a W̃_a(X_i) of particle i and its initial neighbours, exact for linear fields, with W̃ = α (1 + β·(X_i − X_a)) W.
-/// [Lee2016] Eq. 23
+/// V_a W̃_a(X_i) of particle i and its initial neighbours, with W̃ = α (1 + β·(X_i − X_a)) W. [Lee2016] Eq. 23
 template <class K, int Dim>
 std::vector<std::pair<int, double>> corrected_kernel(const InitialPairs<Dim>& pairs,
                                                      const std::vector<Vec<double, Dim>>& X,
@@ -72,7 +71,7 @@ class PrescribedBoundary {
     }
   }
 
-  /// Sets the prescribed components of v to given(i), in m/s, then projects the velocities.
+  /// Sets prescribed components of v to given(i), in m/s, then projects.
   template <class Velocity, class Given, class Place>
   void project(const Velocity& v, const Given& given, const Place& x) {
     for (Body& body : bodies_) {

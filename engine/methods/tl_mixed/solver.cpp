@@ -102,7 +102,7 @@ void TlMixed<Dim>::set_start_gradients() {
   kernels_.start_gradients(f_);
 }
 
-/// Time step limit of the dissipation, s, with a reserve of a tenth for waves.
+/// Limit in s, with a reserve of a tenth for waves.
 template <int Dim>
 double TlMixed<Dim>::greatest_step_of_dissipation(int threads) const {
   const double square = biharmonic_spectral_radius(dissipating_lanes_.view(), p_.size(), threads),
@@ -123,7 +123,7 @@ double TlMixed<Dim>::step_size() const {
       std::min(c_.cfl * c_.h / std::max(fastest, at_least), dissipation_limit_));
 }
 
-/// Throws NumericalError with the lowest id of a crushed particle.
+/// Throws NumericalError.
 template <int Dim>
 void TlMixed<Dim>::throw_crushed() const {
   const double limit = greatest_wave_ratio * body_.wave_speed;
@@ -159,7 +159,7 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Computes contact forces, and rates without contact and loads. [Lee2016] Algorithm 1, steps 4–7
+/// [Lee2016] Algorithm 1, steps 4–7
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();
@@ -180,7 +180,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
   const bool loaded = external.loads.active(), steered = external.drives.active() || external.guides.active();
   const auto load = [](void* of, int i, V& a) {
     Of& all = *static_cast<Of*>(of);
-    if (all.external.drives.moves(all.particles.id[i])) return;  // driven particles ignore loads
+    if (all.external.drives.moves(all.particles.id[i])) return;
     a = a + all.external.loads.acceleration(all.particles, i);
   };
   const auto steer = [](void* of, int i, V& v) {
@@ -206,7 +206,7 @@ StageActions<Dim> TlMixed<Dim>::actions() {
           .close = loaded || steered ? +close : nullptr};
 }
 
-/// Follows [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
+/// [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
 template <int Dim>
 void TlMixed<Dim>::project_on_boundary(double ahead) {
   if (c_.boundary_projection == 0) return;
@@ -227,7 +227,6 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
                     [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
 }
 
-/// Impulse law: advances x, F, J and H by the changes of the velocities.
 template <int Dim>
 void TlMixed<Dim>::stop_approach(double dt) {
   bool stopped = false;

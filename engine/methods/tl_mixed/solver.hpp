@@ -13,9 +13,9 @@
 
 namespace taut {
 
-/// Mixed total-Lagrangian methods, [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0. Departures:
-/// L*[L[U]] with `adjoint` = 1, because L[L[U]] (Eq. 37b) can add energy at surfaces; step 9 only with
-/// `boundary_projection` = 1. Contact and loads are not projected (Eq. 49).
+/// [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0. Departures: L*[L[U]] with `adjoint` = 1, because
+/// L[L[U]] (Eq. 37b) can add energy at surfaces; step 9 only with `boundary_projection` = 1. Contact and loads are not
+/// projected (Eq. 49).
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:
@@ -71,7 +71,7 @@ class TlMixed final : public Scheme<Dim> {
   Columns<Dim * Dim> stress_;
   Columns<Dim> a_, a_start_;
   Columns<1> dissipation_J_;
-  double dissipation_limit_ = std::numeric_limits<double>::infinity();  // time step limit, s
+  double dissipation_limit_ = std::numeric_limits<double>::infinity();  // s
   PrescribedBoundary<Kernel<KernelName::wendland_c2>, Dim> boundary_;
   TlMixedFields<Dim> f_{};
 };

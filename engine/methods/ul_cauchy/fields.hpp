@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Angular velocity of a rigid motion, 1/s.
+/// Angular velocity, 1/s.
 template <int Dim>
 using Spin = std::conditional_t<Dim == 2, double, Vec<double, 3>>;
 inline Vec<double, 2> times_arm(double spin, const Vec<double, 2>& arm) {
@@ -18,7 +18,7 @@ inline Vec<double, 3> times_arm(const Vec<double, 3>& spin, const Vec<double, 3>
   return cross(spin, arm);
 }
 
-/// Velocity (u or û), density, volume, position.
+/// The velocity is u or û.
 template <int Dim>
 struct MotionRow : Row<2 * Dim + 2> {
   using Row<2 * Dim + 2>::c;
@@ -68,7 +68,7 @@ Motion<Dim> spread_motion(const MotionRow<Dim>& row) {
   return motion_of<Dim>(column, true);
 }
 
-/// Columns that method M does not use are omitted.
+/// Unused columns are omitted.
 template <const UlCauchyFormulation& M, int Dim>
 struct StressRow {
   static constexpr bool riemann = M.viscosity == Viscosity::riemann;
@@ -89,10 +89,9 @@ struct StressRow {
     Vec<Pack, Dim> v() const { return vector(v_at); }
     Pack rho() const { return column(rho_at); }
     Pack V() const { return column(V_at); }
-    /// Volume, or mass for PairStress::squares.
     Pack weight() const { return M.pair_stress == PairStress::squares ? Pack(rho() * V()) : V(); }
     Mat<Pack, Dim> T() const { return matrix(T_at); }  // σ·L, σ or σ/ρ²
-    Sym<Pack, Dim> D() const {                         // symmetric part of ∇u
+    Sym<Pack, Dim> D() const {
       Sym<Pack, Dim> D;
 #pragma GCC unroll 6
       for (int k = 0; k < S; ++k) D.c[k] = column(D_at + k);
@@ -194,11 +193,11 @@ struct UlCauchyFields {
   MotionRow<Dim>* motion;       // at the start of the step
   MotionRow<Dim>* moved;        // with the new velocity
   MotionRow<Dim>* transported;  // with û
-  void* stress;                 // [particle] StressRow of the method
+  void* stress;                 // [particle] StressRow
   RepulsionRow<Dim>* repulsion;
   const int *begin, *j;                // see Neighbors
   AlignedPack* w;                      // w(q) of each pair, if needs_kernel
-  const AlignedPack* of_one_material;  // 1 if a pair has one material; null: all 1
+  const AlignedPack* of_one_material;  // null: all 1
   // [body] rigid motion since the last neighbour search
   const V *drift, *centre;  // m/s, m
   const Spin<Dim>* spin;    // 1/s

@@ -19,7 +19,7 @@ enum class Continuity : std::uint8_t {
 enum class Viscosity : std::uint8_t {
   none,
   artificial,  // [Khayyer2024] Eq. 15, 16
-  riemann,     // second order, [Khayyer2024] Eq. 39–45
+  riemann,     // [Khayyer2024] Eq. 39–45
 };
 
 struct UlCauchySwitches {
@@ -41,7 +41,7 @@ struct UlCauchyFormulation : Formulation, UlCauchySwitches {
 struct UlCauchyConstants : Constants {
   double alpha = 0;
   double riemann_factor = 0;
-  double limiter = 0;   // Limiter of the reconstruction
+  double limiter = 0;   // Limiter
   double geometry = 0;  // positions for ∇u; 0: start, 1: end of the step
   double xsph = 0;
   double delta = 0;
@@ -51,7 +51,7 @@ struct UlCauchyConstants : Constants {
   double surface_colour = 0;
   double vicinity = 0;  // in spacings
   double surface_artificial_stress = 0;
-  double step_speed = 0;  // in the CFL condition, m/s
+  double step_speed = 0;  // m/s
 };
 
 /// [TranDuc2023] and [Khayyer2024] print different weights f_ij.
@@ -62,7 +62,6 @@ constexpr bool chooses_repulsion_weight(const UlCauchyFormulation& m) {
 constexpr bool carries_stress(const UlCauchyFormulation&) { return true; }
 
 constexpr bool consistent(const UlCauchyFormulation& m) {
-  // terms that need corrected gradients
   const bool second_order = m.density_diffusion || m.viscosity == Viscosity::riemann || m.tensile_control;
   return m.artificial_stress == (m.epsilon > 0) && (m.corrected || !second_order) &&
          (!m.tensile_control || m.artificial_stress) &&           // artificial stress acts at surfaces

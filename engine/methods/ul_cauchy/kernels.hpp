@@ -13,7 +13,7 @@ struct UlCauchyKernels {
   using Fields = UlCauchyFields<Dim>;
 
   double support;          // in h
-  std::size_t stress_row;  // bytes of a StressRow
+  std::size_t stress_row;  // bytes
   bool needs_kernel;
   void (*gradients)(const Fields& f, const UlCauchyConstants& c, const Threads& threads);
   double (*stresses)(const Fields& f, const UlCauchyConstants& c, const Kick<Dim>& kick,

@@ -7,7 +7,7 @@ namespace taut {
 
 inline constexpr Citation khayyer2024_citations[] = {{"pressure", "[Khayyer2024] Eq. 5", ""}};
 
-/// Adds the common settings of [Khayyer2024] §2.
+/// Settings of [Khayyer2024] §2.
 constexpr UlCauchyFormulation ladder(Formulation step, UlCauchySwitches switches) {
   step.family = Family::ul_cauchy;
   step.citations = khayyer2024_citations;
@@ -93,7 +93,7 @@ inline constexpr Citation tranduc2023_citations[] = {
      "naive: ccb and ccbwat follow the transcription for a plate of two materials hit by a disc"},
 };
 
-/// Adds the common settings of [TranDuc2023] §2.1 and §2.2.
+/// Settings of [TranDuc2023] §2.1 and §2.2.
 constexpr UlCauchyFormulation current_configuration(Formulation m, UlCauchySwitches switches = {}) {
   m.family = Family::ul_cauchy;
   m.citations = tranduc2023_citations;

@@ -19,7 +19,7 @@
 
 namespace taut {
 
-/// Pair at the start of the step. Padding has w′/q = 0 and r beyond the support.
+/// Padding has w′/q = 0 and r beyond the support.
 template <int Dim>
 struct CauchyPair {
   Vec<Pack, Dim> d;  // x_i − x_j, m
@@ -139,7 +139,7 @@ class Repulsion {
   double dp_, per_w_dp_, exponent_;
 };
 
-/// Advances v over the whole step and stores the density diffusion in `drho`. Returns the maximum v², m²/s².
+/// Advances v over the whole step. Returns the maximum v², m²/s².
 template <const UlCauchyFormulation& M, int Dim, RepulsionWeight weight = RepulsionWeight::kernel>
 double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Kick<Dim>& kick,
                    const Threads& threads) {
@@ -205,8 +205,8 @@ double stress_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, con
   });
 }
 
-/// Stores û ([Khayyer2024] Eq. 14), ρ and the positions after `ahead` (in s) in `transported`. Returns the maximum
-/// squared velocity relative to the body's rigid motion, m²/s².
+/// û of [Khayyer2024] Eq. 14, and positions after `ahead`, in s. Returns the maximum squared velocity relative to the
+/// body's rigid motion, m²/s².
 template <const UlCauchyFormulation& M, int Dim>
 double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, const Steering<Dim>& steering,
                       double ahead, const Threads& threads) {
@@ -237,7 +237,7 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// Advances ρ, s and x with ∇û and û of `transported`. [Khayyer2024] Eq. 8, 13, 27, 29
+/// [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;

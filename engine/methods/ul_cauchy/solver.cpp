@@ -19,7 +19,7 @@
 namespace taut {
 namespace {
 
-/// Maximum riemann_step_speed() of two materials in one body, or with `sph` in the scene, m/s.
+/// Maximum riemann_step_speed() of two interacting materials, m/s.
 double riemann_speed(const SolverInput& input) {
   const std::vector<Elasticity>& materials = input.materials;
   const InitialParticles& initial = input.initial;
@@ -98,7 +98,7 @@ UlCauchy<Dim>::UlCauchy(Common<Dim>& common, const SolverInput& input, const Ker
   rebuild();
 }
 
-/// Throws SceneError for force probes between bodies.
+/// Throws SceneError.
 template <int Dim>
 void UlCauchy<Dim>::refuse_contact_forces(const Scene& scene) const {
   for (const Probe& probe : scene.probes)

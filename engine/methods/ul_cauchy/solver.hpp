@@ -28,7 +28,7 @@ class UlCauchy final : public Scheme<Dim> {
   void load(Loader& loader) override { serialize(loader); }
 
  private:
-  /// Search radius beyond the support, in spacings.
+  /// In spacings.
   static constexpr double skin = 0.25;
   struct alignas(64) CacheLine {
     double c[8];

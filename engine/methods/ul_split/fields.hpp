@@ -109,8 +109,8 @@ struct PairGeometry {
   Pack inverse_distance;    // (1/r)/(∂W/∂r); 0 between bodies: no shear
 };
 
-/// Cached pair geometry. Gradients are 0 in padding; the gradients of (i, j) and (j, i) are exactly opposite. Single
-/// precision saves memory in 3D; kernel units fit its range.
+/// Gradients are 0 in padding; the gradients of (i, j) and (j, i) are exactly opposite. Single precision saves memory
+/// in 3D; kernel units fit its range.
 template <int Dim>
 struct PairCache {
   static constexpr bool single_precision = Dim == 3;
@@ -120,7 +120,7 @@ struct PairCache {
 
   Stored* gradients;  // Dim per pack
   Stored *inverse_slopes, *inverse_distances;
-  Stored* closeness_of;      // with artificial stress
+  Stored* closeness_of;
   double steepness, length;  // kernel units in 1/m^(Dim+1) and m; 1 in double precision
 
   void set(int b, const PairGeometry<Dim>& pairs) const {
@@ -177,8 +177,8 @@ struct UlSplitFields {
   TensorRow<Dim>* recovery;
   GradientRow<Dim>* velocity_gradient;  // with a penalty: L, 1/s
 
-  const int *begin, *j;        // neighbours, see Neighbors
-  int* has_foreign_neighbors;  // 1: has neighbours in other bodies
+  const int *begin, *j;  // see Neighbors
+  int* has_foreign_neighbors;
   PairCache<Dim> pairs;
   const MixedPack* mixed;
   int mixed_count;

@@ -30,11 +30,11 @@ struct UlSplitConstants : Constants {
   double xi = 0;
   double penalty_rotation = 0;
   double epsilon = 0, exponent = 0;
-  double riemann_limiter = 0, beta_least = 1;  // see terms/riemann.hpp
-  double pressure_diffusion = 0;               // see terms/riemann.hpp
+  double riemann_limiter = 0, beta_least = 1;
+  double pressure_diffusion = 0;
   double cfl_advection = 0;
   double cubic_spline = 0;
-  double step_speed = 0;  // wave speed for steps, m/s
+  double step_speed = 0;  // m/s
 };
 
 /// False if stress is only recovered for snapshots.
@@ -44,8 +44,8 @@ constexpr bool carries_stress(const UlSplitFormulation& m) {
 constexpr bool integrates_shear(const UlSplitFormulation& m) { return m.shear != Shear::nested_stress; }
 constexpr bool has_penalty(const UlSplitFormulation& m) { return m.shear == Shear::nested_with_penalty; }
 
-/// Whether clamped particles strain. Their strain keeps `oas` from tearing off at clamps, but would make `enog` too
-/// stiff. [Zhang2024] does not specify clamps.
+/// Strain of clamped particles keeps `oas` from tearing off at clamps, but would make `enog` too stiff. [Zhang2024]
+/// does not specify clamps.
 constexpr bool strains_clamped(const UlSplitFormulation& m) { return carries_stress(m); }
 
 constexpr bool consistent(const UlSplitFormulation& m) {

@@ -40,7 +40,7 @@ class PairKernel {
     const Pack dW = alpha_ * K::dw(Pack(per_h_ * r));
     const Pack product = r * dW;
     const PackIndex acting = product < -least_;
-    const Pack inverse = 1 / (acting ? product : filled<Pack>(1));  // one division for two inverses
+    const Pack inverse = 1 / (acting ? product : filled<Pack>(1));
     const Pack inv_r = inverse * dW, inv_dW = inverse * r, none{};
     slope_per_distance = acting ? Pack(dW * inv_r) : none;
     return {slope_per_distance * d, acting ? inv_dW : none, acting ? inverse : none};
@@ -68,7 +68,6 @@ double steepness(const UlSplitConstants& c) {
 
 template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Threads& threads) {
-  // position, body, volume
   parallel_for(s.size, threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
   parallel_pass(s.size, threads, [&, kernel = PairKernel<Name, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
@@ -101,8 +100,7 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   with_kernel<M>(c, [&]<KernelName Name>() { geometry_pass<M, Dim, Name>(s, c, threads); });
 }
 
-/// Recomputes the geometry of pairs of two bodies. Departure: [Zhang2024] §5 caches these pairs, too; bodies then
-/// stick.
+/// Departure: [Zhang2024] §5 caches pairs of two bodies, too; bodies then stick.
 template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<Name, Dim> kernel(c);
@@ -203,7 +201,7 @@ Vec<double, Dim> force_between(const UlSplitFields<Dim>& s, const UlSplitConstan
   return total;
 }
 
-/// Advances the penalty acceleration. Requires the velocity gradients of all particles.
+/// Requires the velocity gradients of all particles.
 template <const UlSplitFormulation& M, int Dim>
 void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {
@@ -227,7 +225,7 @@ void penalty_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double
   });
 }
 
-/// Advances densities and shear by the second half step, Eq. 25.
+/// Second half step, Eq. 25.
 template <const UlSplitFormulation& M, int Dim, bool pressure_diffusion>
 void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Steering<Dim>& steering,
                double dt, const Threads& threads) {
@@ -290,8 +288,8 @@ void rate_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Ste
     rate_pass<M, Dim, true>(s, c, steering, dt, threads);
 }
 
-/// Sets out[k] to the stress of particle particles[k], or of k if `particles` is null, recovered from the displacement
-/// since the last recovery, [Zhang2024] Eq. 6–8, 26, 27. Departure: volumes and gradient correction are also cached.
+/// Stress of `particles` (null: all) from the displacement since the last recovery, [Zhang2024] Eq. 6–8, 26, 27.
+/// Departure: volumes and gradient correction are also cached.
 template <const UlSplitFormulation& M, int Dim>
 void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const FlowRow<Dim>* displacement,
                     const int* particles, int count, Sym<double, Dim>* out, const Threads& threads) {
@@ -310,7 +308,7 @@ void recover_stress(const UlSplitFields<Dim>& s, const UlSplitConstants& c, cons
   });
 }
 
-/// Advances positions and densities by `dt`, the first half step, Eq. 23. Departure: shear also advances.
+/// First half step, Eq. 23. Departure: shear also advances.
 template <const UlSplitFormulation& M, int Dim>
 void half_drift(const UlSplitFields<Dim>& s, const UlSplitConstants& c, double dt, const Threads& threads) {
   parallel_pass(s.size, threads, [&](int i) {

@@ -113,7 +113,7 @@ void UlSplit<Dim>::rebuild() {
   common_.probes.rebuilt(p_, near_, common_.run.support);
   distance_since_rebuild_ = 0;
   if (!at_start) return;
-  // initial rates for the first half step
+  // for the first half step
   for (int i = 0; i < p_.size(); ++i) flow_new_[i].set(p_.v[i], 0, p_.m[i] / rho_[i]);
   close_rates(0);
 }

@@ -10,7 +10,7 @@ struct Box final : ShapeBase {
   Box() = default;
   Box(const Point& low, const Point& high) : low(low), high(high) {}
 
-  /// Number of cells of size dp (m) along an axis, rounded.
+  /// Rounded number of cells; dp in m.
   long cells(std::size_t axis, double dp) const;
 
   Bounds bounds() const override { return {low, high}; }

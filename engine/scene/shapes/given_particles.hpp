@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Particles listed one by one; each fills a square (cube) of its volume. On the outline, the volume fraction,
-/// smoothed by a cubic spline, is ½.
+/// Each particle fills a square (cube) of its volume. On the outline, the volume fraction, smoothed by a cubic spline,
+/// is ½.
 class GivenParticles final : public ShapeBase {
  public:
   GivenParticles(std::vector<Point> places, std::vector<double> volumes, int dim)

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Part of a box where an expression is not 0. `holds` tests the tolerance along the axes.
+/// `holds` tests the tolerance along the axes.
 struct Implicit final : ShapeBase {
   Box within;
   Expression inside;

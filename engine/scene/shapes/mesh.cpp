@@ -128,7 +128,6 @@ void Mesh::visit_near(const Point& x, double distance, const Visit& visit) const
       for (const int triangle : triangles_[static_cast<std::size_t>(j * sides_[0] + i)]) visit(triangle);
 }
 
-/// Sum of the signs of all triangles above x.
 int Mesh::winding_number(const Point& x) const {
   if (x[0] < box_.low[0] || x[0] > box_.high[0] || x[1] < box_.low[1] || x[1] > box_.high[1]) return 0;
   int number = 0;

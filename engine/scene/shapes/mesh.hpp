@@ -19,7 +19,7 @@ struct MeshFaults {
 };
 MeshFaults faults_of(const Triangles& mesh);
 
-/// Region where the winding number of a closed mesh is not 0. Parts of the mesh may overlap.
+/// Region where the winding number of a closed mesh is not 0.
 class Mesh final : public ShapeBase {
  public:
   /// The mesh must have no faults.

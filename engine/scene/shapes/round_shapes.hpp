@@ -60,7 +60,7 @@ struct Ring final : ShapeBase {
   double extent_to_divide(int) const override { return outer - inner; }
   Point middle() const override { return centre; }
   Point anchor() const override { return bounds().middle(); }
-  /// Layers about dp thick. In 2D, aligned layers form a polar grid with particles about dp apart at the mean radius.
+  /// In 2D, aligned layers form a polar grid with particles about dp apart at the mean radius.
   std::vector<InitialSite> sites(int dim, double dp) const override;
   std::vector<Chain> outline(int dim, double dp) const override;
   FacePatches patches(double dp) const override;

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// Weight w_i of a pair, N/m^(4 − Dim); `W` in 1/m^Dim.
+/// Weight w_i of a pair, N/m^(4 − Dim).
 inline double hourglass_weight(double alpha, double E_i, double V_i, double V_j, double W, double r) {
   return 0.5 * alpha * E_i * V_i * V_j * W / (r * r);
 }

@@ -8,7 +8,7 @@
 /// `tl`, with the exponents of 3D and τ = K J (J − 1) instead of ½ K (J² − 1).
 namespace taut {
 
-/// Weight of the shear of a pair, Pa; `G` includes the factor 1.07 of the paper.
+/// Weight of a pair's shear, Pa; `G` includes the factor 1.07 of the paper.
 template <class T>
 T pair_shear_modulus(const T& G, const T& j) {
   const T root = inverse_cube_root(j);

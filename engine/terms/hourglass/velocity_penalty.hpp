@@ -19,8 +19,8 @@ inline constexpr TermInfo velocity_penalty_info{
     "terms/hourglass/velocity_penalty.hpp:velocity_penalty_term",
     "velocity penalty: the penalty is 0 for a linear velocity and opposes zigzags"};
 
-/// Part of a velocity_penalty_term along the pair; exerts no torque. ξ = 2. Departure: the accumulated penalty rotates
-/// only with `penalty_rotation`, because rotation changes linear momentum.
+/// Part of a velocity_penalty_term along the pair. ξ = 2. Departure: the accumulated penalty rotates only with
+/// `penalty_rotation`, because rotation changes linear momentum.
 template <class T, int Dim>
 Vec<T, Dim> central_velocity_penalty_term(const Vec<T, Dim>& penalty, const Vec<T, Dim>& e_ij) {
   return dot(penalty, e_ij) * e_ij;

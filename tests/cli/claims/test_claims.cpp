@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes a claim about the tiny scene; `lines`: its remaining lines.
+/// `lines`: remaining lines of the claim.
 std::string claim_file(const TemporaryFolder& folder, const std::string& lines) {
   write_tiny_scene(folder);
   std::ofstream(folder / "Nobody1999.toml") << R"(title = "Nobody"

@@ -29,7 +29,7 @@ Words words_for(const Words& typed) {
   return words;
 }
 
-/// Words that bash offers with the cursor at the end of `line`.
+/// With the cursor at the end of `line`.
 Words offered_by_bash(const TemporaryFolder& folder, const std::string& line) {
   std::ofstream(folder / "ask.sh") << "source <(\"$1\"/taut completion bash)\n"
                                       "compopt() { :; }  # that of bash fails outside a completion\n"

@@ -35,7 +35,6 @@ bool there_is(const std::string& program) {
 TEST_SUITE("cli") {
   TEST_CASE("ffmpeg gets the frames in order, and the movie gets its name when it is complete") {
     const TemporaryFolder folder;
-    // the name contains special characters of shells and ffmpeg
     const fs::path frames = folder / "50%d of it; 'all'";
     write_frames(frames, 3);
     write_ffmpeg(folder,

@@ -27,7 +27,7 @@ std::vector<double> numbers(const std::string& row) {
   return values;
 }
 
-/// stderr of a short run; `text` starts with top-level keys.
+/// `text` starts with top-level keys.
 std::string errors_of(const std::string& text, const TemporaryFolder& folder) {
   std::ofstream(folder / "scene.toml")
       << "title = \"Still\"\nuntil = 1e-6\n"

@@ -13,7 +13,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes a run.json; `measures` is JSON text.
+/// `measures` is JSON text.
 std::string write_measured(const TemporaryFolder& folder, const std::string& name,
                            const std::string& measures, const std::string& status = "finished") {
   fs::create_directories(folder / name);

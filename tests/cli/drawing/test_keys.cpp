@@ -15,7 +15,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Drawing whose keys are neither default nor automatic.
 Drawing other_drawing() {
   return {.field = find_field("pressure"),
           .look = {.view = render::View{-1, 2, -3, 4},

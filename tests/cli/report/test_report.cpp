@@ -25,7 +25,6 @@ nlohmann::ordered_json run_of(const fs::path& page, int run) {
   return assigned(text_of(page / ("runs/" + number + ".js")), "taut_runs[" + number + "]");
 }
 
-/// Runs the tiny scene with a title and a reference curve of `gap`.
 std::string run_with_title(const TemporaryFolder& folder, const std::string& title) {
   write_tiny_scene(folder);
   std::string text = text_of(folder / "discs.toml");

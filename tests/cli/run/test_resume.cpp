@@ -42,7 +42,7 @@ std::set<std::string> files_below(const fs::path& folder) {
   return names;
 }
 
-/// Compares all files; ignores times, speed, threads and provenance in run.json.
+/// Compares all files, except times, speed, threads and provenance in run.json.
 void check_same_run(const fs::path& a, const fs::path& b) {
   REQUIRE(files_below(a) == files_below(b));
   for (const std::string& name : files_below(a)) {
@@ -59,7 +59,7 @@ void check_same_run(const fs::path& a, const fs::path& b) {
   }
 }
 
-/// Kills the program once `history` has `bytes`; returns false if the program ended before.
+/// Returns false if the program ended before `history` had `bytes`.
 bool run_and_kill(const Arguments& arguments, const fs::path& history, std::uintmax_t bytes) {
   ChildProgram child(arguments);
   ChildProgram::wait([&] {

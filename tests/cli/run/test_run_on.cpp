@@ -24,7 +24,7 @@ void pretend_it_took(const TemporaryFolder& folder, double seconds) {
   std::ofstream(folder / "out/run.json") << record.dump(2);
 }
 
-/// Rows of history.csv without the columns that depend on the times of judgement.
+/// Without the columns that depend on the times of judgement.
 std::string motion_in(const fs::path& history) {
   std::istringstream text(text_of(history));
   std::string all, line;

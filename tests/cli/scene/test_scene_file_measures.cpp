@@ -35,7 +35,7 @@ const std::map<std::string_view, std::string> values = {
     {"until", "9"},
 };
 
-/// The small scene with a measure that has every key of its kind except `axis`.
+/// The measure has every key of its kind except `axis`.
 std::string scene_with(const MeasureKind& kind, const std::string& more = "") {
   std::string measure =
       "\n[[line]]\nname = \"middle\"\nbody = \"block\"\nfield = \"pressure\"\nfrom = [0, 0.5]\n"

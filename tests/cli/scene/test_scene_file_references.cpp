@@ -13,7 +13,6 @@ using namespace taut::test;
 
 namespace {
 
-/// The small scene with other references and a measure `peak` of the kind `at_rest`.
 std::string with_references(const std::string& references) {
   const std::string old = "[[reference]]\nlaw = \"neo_hookean\"\nname = \"made up\"\nvalues = { peak = 3 }\n";
   return replaced(replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\""), old, references);

@@ -12,7 +12,7 @@ using namespace taut::test;
 
 namespace {
 
-/// A block that flies without strain, so that fields along its lines are known.
+/// Flies without strain, so that fields along its lines are known.
 std::string write_block(const TemporaryFolder& folder) {
   std::ofstream(folder / "block.toml") << R"(
 title = "A flying block"

@@ -19,8 +19,7 @@ const std::string strange =
     "-a b {} {#} {= `touch ran`; =} $(touch ran) `touch ran` 'q' \"r\" \\ %d @x # ;[y]\n"
     "#SBATCH -z\ntouch ran";
 
-/// Writes a substitute for GNU parallel. The substitute ignores the options before -q and runs the command once per
-/// input line, replacing {} and {#}. A word with {= runs `touch ran`.
+/// Writes a substitute for GNU parallel that replaces {} and {#}. A word with {= runs `touch ran`.
 void write_parallel(const TemporaryFolder& folder) {
   fs::create_directories(folder / "bin");
   std::ofstream(folder / "bin/parallel") << R"(#!/bin/sh

@@ -10,7 +10,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Writes sweep.toml without the '@'; returns the place of the '@'.
+/// Returns the place of the '@'.
 FilePlace write_sweep(const TemporaryFolder& folder, std::string text) {
   write_tiny_scene(folder);
   FilePlace place{1, 1};

@@ -18,7 +18,6 @@ void wait_until_the_short_run_has_ended(const fs::path& folder) {
   ChildProgram::wait_for(folder / "until=1000/history.csv");
 }
 
-/// A short and an endless run, with discs at rest.
 Texts endless_sweep(const TemporaryFolder& folder, const Texts& more = {}) {
   Texts all{"--grid", "until=1000,0.001", "--set", "speed=0", "--history", "0.001", "--jobs", "2"};
   all.insert(all.end(), more.begin(), more.end());
@@ -82,7 +81,6 @@ TEST_SUITE("cli") {
     std::ostringstream err;
     // a surviving run would hold the lock
     CHECK_NOTHROW(taut::cli::FolderLock(folder / "out", taut::cli::FolderLock::Of::sweep, "taut test", err));
-    // a clean end would record "interrupted"
     CHECK(json_of(folder / "out/until=1000/run.json")["status"] == "running");
   }
 

@@ -72,7 +72,7 @@ TEST_SUITE("cli") {
       CAPTURE(outcome.err);
       REQUIRE(outcome.code == 0);
       const Disk disk(folder / "calls");
-      // checkpoints: an empty one at the start, then one after each quarter of the run but the last
+      // an empty checkpoint at the start, then one after each quarter of the run but the last
       const std::vector<bool>& checkpoints = disk.all_before.at("checkpoint.bin");
       CHECK(checkpoints.size() >= 4);
       CHECK(checkpoints == std::vector<bool>(checkpoints.size(), true));

@@ -23,7 +23,7 @@ namespace {
 
 using Of = FolderLock::Of;
 
-/// Message of a refused lock, empty on success.
+/// Empty on success.
 std::string refusal(const fs::path& folder, Of of) {
   std::ostringstream err;
   try {

@@ -24,7 +24,7 @@ namespace {
 constexpr double round_off = 1e-13;
 constexpr double dp = 0.001;
 
-/// Two one-particle bodies with centres `gap` spacings apart that approach at ±`speed`.
+/// Centres are `gap` spacings apart and approach at ±`speed`.
 Scene two_particles(double gap, double speed) {
   Scene scene;
   scene.name = "two-particles";
@@ -145,7 +145,7 @@ TEST_SUITE("conservation") {
           CHECK(std::abs(after.angular_momentum[2] - before.angular_momentum[2]) <
                 round_off * before.angular_scale);
         CHECK(momentum_ratio(start, simulation->snapshot()) < 0.7);
-        // ccb does not damp tension, and pf does not damp zigzags
+        // ccb damps no tension, pf damps no zigzags
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
       }

@@ -73,7 +73,7 @@ void check_energy_stays(const Scene& scene) {
   CHECK(met);
 }
 
-/// Perturbs the bodies. Checks that forces balance and are −∂E/∂x within `within` times the greatest force.
+/// Forces must balance and be −∂E/∂x within `within` times the greatest force.
 void check_slopes(Pressed<2>& bodies, double within) {
   for (int i = 0; i < bodies.s.size(); ++i)
     bodies.s.x[i] += 0.03 * dp *

@@ -65,7 +65,7 @@ Scene disc_in_corner() {
   return scene;
 }
 
-/// Relative changes of the momenta, less the wall impulses.
+/// Relative, less the wall impulses.
 struct MomentumChange {
   double linear, angular;
 };
@@ -112,7 +112,6 @@ TEST_SUITE("analytic") {
       for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::lennard_jones, ContactLaw::impulse}) {
         CAPTURE(std::string(method.name));
         CAPTURE(std::string(name(law)));
-        // finite elements support only `surface`
         if (has_elements(method)) continue;
         REQUIRE(supports(method, law));
         alone.contact = both.contact = law;

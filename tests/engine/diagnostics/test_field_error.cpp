@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Five particles displaced by (0.1 y, 0), the third also by `extra`.
+/// The third particle is also displaced by `extra`.
 Snapshot sheared(Point extra = {}) {
   Snapshot now = made_snapshot(2, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 2}});
   for (std::size_t i = 0; i < now.size(); ++i) now.x[2 * i] += 0.1 * now.x0[2 * i + 1];

@@ -90,7 +90,7 @@ Grid annulus(const Elastic& material, double inner, double outer) {
           }};
 }
 
-/// First nine elastic frequencies in Hz, ascending.
+/// First nine elastic frequencies, Hz.
 std::vector<double> frequencies(const Grid& grid) {
   const int n = 2 * grid.nodes_i() * grid.nodes_j();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n), M = K;
@@ -113,7 +113,7 @@ std::vector<double> frequencies(const Grid& grid) {
   return f;
 }
 
-/// Lowest elastic frequency in Hz, by Rayleigh–Ritz for u_r = U(r) cos nθ, u_θ = V(r) sin nθ.
+/// In Hz, by Rayleigh–Ritz for u_r = U(r) cos nθ, u_θ = V(r) sin nθ.
 double annulus_frequency(const Elastic& material, double inner, double outer, int n) {
   constexpr int degree = 8, terms = degree + 1, points = 2000;
   const auto& [E, nu, rho] = material;

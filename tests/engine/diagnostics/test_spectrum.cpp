@@ -17,7 +17,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Lines at 150, 357 and 446 Hz on a slope, with the decay rate `damping`.
+/// Lines on a slope, with the decay rate `damping`.
 struct Ringing {
   std::vector<double> t, y;
 

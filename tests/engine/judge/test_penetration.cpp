@@ -27,7 +27,6 @@ void add_rows(std::vector<Point>& places, int columns, int rows, const Point& lo
     for (int i = 0; i < columns; ++i) places.push_back({low[0] + i * dp, low[1] + j * dp, 0});
 }
 
-/// The second block is 10 dp above the first.
 Snapshot two_blocks() {
   std::vector<Point> places;
   add_rows(places, 20, 8, {0, -7 * dp, 0});
@@ -46,7 +45,7 @@ void put(Snapshot& now, double right, double up) {
   }
 }
 
-/// A strip folded double: the turn has radius r, the halves are 2r apart.
+/// Strip folded double; the turn has radius r.
 Snapshot hairpin(double r) {
   std::vector<Point> places;
   add_rows(places, 60, 4, {0, -1.5 * dp, 0});
@@ -65,7 +64,6 @@ Snapshot hairpin(double r) {
   return now;
 }
 
-/// The second block is 10 dp above the first.
 Snapshot two_cubes() {
   std::vector<Point> places;
   for (int k = 0; k < 4; ++k) add_rows(places, 9, 9, {0, 0, 0});

@@ -31,7 +31,6 @@ void for_each_kernel(const F& f) {
       Kernels{});
 }
 
-/// Simpson's rule.
 template <class F>
 double integral(double from, double to, const F& f) {
   const int n = 2000;

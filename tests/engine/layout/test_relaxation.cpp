@@ -71,7 +71,7 @@ double volume(const InitialParticles& layout) {
   return std::accumulate(layout.V0.begin(), layout.V0.end(), 0.0);
 }
 
-/// Distances to the nearest other point, in spacings, shortest first.
+/// In spacings, shortest first.
 std::vector<double> distances_to_nearest(const std::vector<Point>& from, const std::vector<Point>& to,
                                          int dim) {
   std::vector<double> all;

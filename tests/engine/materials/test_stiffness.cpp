@@ -58,7 +58,7 @@ class Dice {
   std::mt19937 random_{1};
 };
 
-/// ∂P/∂F; components row by row.
+/// ∂P/∂F, row by row.
 template <int Dim>
 class Tangent {
  public:

@@ -10,7 +10,6 @@
 #include "tests/engine/methods/naive_total_lagrangian.hpp"
 #include "tests/engine/methods/naive_zhang2024.hpp"
 
-/// Connects the transcriptions of papers with the engine.
 namespace taut::test {
 
 template <class Vector>
@@ -38,7 +37,7 @@ inline Scene with_contact_of_particles(Scene scene, const std::string& method) {
   return scene;
 }
 
-/// Value of a constant in the settings, else its default, else 0.
+/// In the settings, else its default, else 0.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);
   if (set != settings.constants.end()) return set->second;

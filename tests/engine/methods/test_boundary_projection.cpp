@@ -21,7 +21,7 @@ namespace {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// Weights V W of the corrected kernel at particle i, [Lee2016] Eq. 23.
+/// Weights V W, [Lee2016] Eq. 23.
 std::vector<std::pair<int, double>> corrected_weights(int i, const std::vector<Point>& X,
                                                       const std::vector<double>& V, double h, int dim) {
   std::vector<std::pair<int, double>> W;
@@ -195,7 +195,6 @@ TEST_SUITE("term") {
     REQUIRE(made.points.size() == 6);
     std::vector<Point> v = made.v;
     BoundaryProjection(made.points, made.m)(v, made.X);
-    // in a rigid motion the change along x depends on y only
     const auto change = [&](std::size_t a) { return v[a][0] - made.v[a][0]; };
     const double slope = (change(30) - change(5)) / (made.X[30][1] - made.X[5][1]);
     for (std::size_t a = 0; a < v.size(); ++a)

@@ -22,7 +22,7 @@ namespace {
 
 const std::vector<std::string> both = {"fe1", "fe2"};
 
-/// Disc or ball, meshed with distorted elements.
+/// Meshed with distorted elements.
 Scene round_body(int dim, double dp = 0.25) {
   Scene scene;
   scene.dim = dim;
@@ -52,14 +52,14 @@ double strain_energy(const Snapshot& now) {
   return std::accumulate(now.strain_energy.begin(), now.strain_energy.end(), 0.0);
 }
 
-/// Place after a smooth displacement with strains up to 0.2.
+/// Smooth displacement with strains up to 0.2.
 Point bent(const Point& x, int dim) {
   Point y{x[0] + 0.1 * std::sin(x[0] + 2 * x[1]), x[1] + 0.1 * std::cos(1.7 * x[0] + x[2]), x[2]};
   if (dim == 3) y[2] += 0.1 * std::sin(x[0] - x[1] + 2 * x[2]);
   return y;
 }
 
-/// Relative error of the period of the oscillating plate; reference: finite elements of fourth order, 0.25522 s.
+/// Relative error; reference: finite elements of fourth order, 0.25522 s.
 double period_error(const std::string& method, int across) {
   const auto simulation = make_simulation(oscillating_plate(0.001, across), with_method(method));
   simulation->advance_to(0.28);

@@ -127,7 +127,7 @@ TEST_SUITE("analytic") {
       CHECK(std::abs(cube.symbol(i, {pi, 0, 0}) - row.along) < 0.006);
       CHECK(std::abs(cube.symbol(i, {pi, pi, 0}) - row.plane) < 0.006);
       CHECK(std::abs(cube.symbol(i, {pi, pi, pi}) - row.space) < 0.006);
-      CHECK(std::abs(cube.gradient_symbol(i, {pi, pi, pi})) < 1e-14);  // no stress resists this zigzag
+      CHECK(std::abs(cube.gradient_symbol(i, {pi, pi, pi})) < 1e-14);
     }
   }
 

@@ -22,7 +22,7 @@ using namespace taut::test;
 namespace {
 
 constexpr int steps = 40;
-/// Tolerance: in 3D the pair cache of `ul_split` has single precision.
+/// In 3D the pair cache of `ul_split` has single precision.
 constexpr double single_precision = 3e-7;
 
 void check_ulsph(const Scene& scene, const std::string& name, Stepping stepping) {

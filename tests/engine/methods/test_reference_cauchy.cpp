@@ -177,7 +177,7 @@ TEST_SUITE("reference") {
 TEST_SUITE("unit") {
   TEST_CASE(
       "surface vicinity: reaches of 1.1, 1.2 and 1.3 spacings select the same particles, 1.48 selects others") {
-    // some particles in the inner corner are 1.41 spacings, a cell diagonal, from the surface
+    // some particles in the inner corner are 1.41 spacings from the surface
     Scene scene = small_collision();
     scene.bodies.pop_back();
     scene.bodies[0].shapes = {Box{{0, 0, 0}, {0.012, 0.012, 0}}, Box{{0.012, 0, 0}, {0.024, 0.006, 0}}};

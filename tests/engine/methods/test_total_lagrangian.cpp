@@ -305,7 +305,6 @@ TEST_SUITE("analytic") {
       CHECK(stress > 0.1);
       CHECK(stress < 3);
     }
-    // the linear law takes the rotation for strain
     CHECK(stress_of_turning("tl-small-strain", 3.1) > 30);
   }
 }
@@ -332,7 +331,7 @@ TEST_SUITE("conservation") {
   TEST_CASE("pf-jst: the projection conserves both momenta of a rotating plate") {
     Scene scene = rotating_plate(0.2);
     const auto turn = scene.bodies[0].velocity[0];
-    // breaks the symmetry, which alone would conserve the momenta
+    // symmetry alone would conserve the momenta
     scene.bodies[0].velocity[0] = [=](const Point& x) { return turn(x) + 2 * shake(x, 0.007); };
     struct Change {
       double linear, angular;
@@ -359,7 +358,7 @@ TEST_SUITE("conservation") {
     const Change printed = change(0, 0, 1.05), with_adjoint = change(0, 1, 1.05);
     CHECK(printed.linear > 1e-5);
     CHECK(printed.angular > 1e-4);
-    CHECK(with_adjoint.linear < 1e-12);  // the Laplacian of a constant is 0
+    CHECK(with_adjoint.linear < 1e-12);
     CHECK(with_adjoint.angular > 1e-6);
   }
   TEST_CASE("tl: a collision with penalty contact conserves the energy to second order in the step") {

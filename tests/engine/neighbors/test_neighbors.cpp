@@ -68,7 +68,7 @@ std::vector<int> brute_force(const Points<Dim>& x, int i, double reach) {
   return list;
 }
 
-/// Peak memory of the process, in KiB.
+/// In KiB.
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

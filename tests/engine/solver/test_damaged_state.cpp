@@ -20,7 +20,6 @@ using namespace taut::test;
 
 namespace {
 
-/// Two blocks above a wall; the left one is driven, the right one clamped and loaded.
 Scene touching_blocks(int dim) {
   const double dp = 0.001, depth = dim == 3 ? 0.002 : 0;
   Scene scene;
@@ -53,7 +52,7 @@ Scene touching_blocks(int dim) {
   return scene;
 }
 
-/// A body in self-contact: two near parts are far apart in the reference configuration.
+/// Two near parts are far apart in the reference configuration.
 Scene folded_block(int dim) {
   Scene scene = touching_blocks(dim);
   scene.name = "folded-block";

@@ -60,7 +60,7 @@ Snapshot at_rest(const Scene& scene, const char* method,
   return simulation->snapshot();
 }
 
-/// RMS of σxx − σ(y), divided by the RMS of σ(y), for |x| < `middle`.
+/// RMS of σxx − σ(y) over the RMS of σ(y), for |x| < `middle`.
 double error(const Snapshot& now, const std::function<double(double)>& sigma, double middle) {
   double difference = 0, size = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -72,7 +72,7 @@ double error(const Snapshot& now, const std::function<double(double)>& sigma, do
   return std::sqrt(difference / size);
 }
 
-/// Traction t on the upper face and, with `both`, −t on the lower one.
+/// Traction t on the upper face; with `both`, −t on the lower.
 Scene thin_bar(int rows, const Point& t, bool both) {
   Scene scene;
   scene.name = "bar";

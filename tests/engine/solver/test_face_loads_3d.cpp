@@ -150,7 +150,7 @@ TEST_SUITE("unit") {
       double force = 0;
       for (const auto& [i, f] : shares_of(FaceRule::by_column, scene))
         for (int k = 0; k < 3; ++k) force += f[k] * outwards(k)(initial.x[i]);
-      // the area of the face, not the larger area at the layer's radius
+      // the area of the face, not of the layer
       CHECK(force == relative(4 * std::numbers::pi * inner * inner, 0.01));
     }
   }

@@ -22,7 +22,7 @@ constexpr double length = 0.012, height = 0.006;
 constexpr double period = 4 * length / 91;  // s; √(E/ρ) = 91 m/s
 constexpr double rounding = 1e-12;
 
-/// Bar on rollers below and, with `at_wall`, at its left end. Initial velocities stretch and perturb the bar.
+/// With `at_wall`, the left end is on rollers too.
 Scene bar_on_rollers(bool at_wall) {
   Scene scene;
   scene.name = "bar-on-rollers";

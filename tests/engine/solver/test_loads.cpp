@@ -42,7 +42,6 @@ Load load(Load::Kind kind, double x, double y) {
   return load;
 }
 
-/// Clamped at its left end, loaded at its right end.
 Scene pulled_bar(double force) {
   Scene scene = bar();
   Body& body = scene.bodies[0];

@@ -207,7 +207,7 @@ TEST_SUITE("unit") {
       const auto simulation = make_simulation(scene, with_method(method));
       make_steps(*simulation, 20);
       const Series& series = simulation->series();
-      // in 3D, oenog places more mass near faces, which shifts the centre
+      // in 3D, oenog places more mass near faces
       CHECK(series.value[0].front() == relative(0.8 * 0.002, 6e-3));
       CHECK(series.value[1].front() == relative(0.9));
       CHECK(series.value[1].back() == relative(0.9, 1e-9));

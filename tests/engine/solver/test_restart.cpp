@@ -36,7 +36,6 @@ void add_probes(Scene& scene) {
   if (scene.bodies[0].clamped) scene.probes.push_back(make_probe("clamp", Probe::Kind::reaction));
 }
 
-/// In the second scene a body is clamped, loaded and driven for half the time, in the third driven to the end.
 std::vector<Scene> watched_scenes() {
   std::vector<Scene> scenes = {small_collision(), small_clamped_plate()};
   for (Scene& scene : scenes) add_probes(scene);

@@ -23,7 +23,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Path of one particle. `at` returns x at t and v at t − lag; `lag` in s.
+/// `at` returns x at t and v at t − lag; `lag` in s.
 struct Path {
   std::function<Point(double)> x, v;
   double lag = 0;
@@ -36,7 +36,7 @@ struct Path {
     for (const std::size_t k : {0, 1}) now.x[k] = x(t)[k], now.v[k] = v(t - lag)[k];
     return now;
   }
-  /// Errors of the interpolated x and v at 0.4 + 0.2 dt.
+  /// Errors of the interpolated x and v.
   std::pair<double, double> errors(double dt) const {
     const double t = 0.4 + 0.2 * dt;
     const Snapshot shown = blend(at(0.4), at(0.4 + dt), t), exact = at(t);

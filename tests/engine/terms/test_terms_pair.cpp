@@ -53,7 +53,7 @@ const ForceTerm force_terms[] = {
      }},
 };
 
-/// Sum of `term` over a fine lattice around the origin.
+/// Sum of `term` over a fine lattice.
 template <class Field, class Term>
 Vec<double, 2> operator_at_origin(const Field& v, const Term& term) {
   using K = Kernel<KernelName::wendland_c2>;

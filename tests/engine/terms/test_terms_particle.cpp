@@ -91,7 +91,7 @@ const Sym2 some_s = {1.5, -0.6, -1.5};
 Sym2 in_plane_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::in_plane>(L, s, G); }
 Sym2 plane_strain_rate(const Mat2& L, const Sym2& s) { return jaumann_rate<Deviator::plane_strain>(L, s, G); }
 
-/// Stress with the principal values a and b; the axis of a is at `angle` to x.
+/// The principal axis of a is at `angle` to x.
 Sym2 principal(double a, double b, double angle) { return turned(rotation(angle), Sym2{a, 0, b}); }
 
 }  // namespace

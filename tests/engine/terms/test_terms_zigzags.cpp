@@ -99,7 +99,7 @@ TEST_SUITE("term") {
     const M2 rest = isotropic_piola(one, M2{}, K, 1.07 * G, 0.0);
     CHECK(rest(0, 0) == relative(-1.07 * G, 1e-14));
     CHECK(magnitude(pair_shear_force(rest, rest, 1.07 * G, 1.07 * G, X, X, 0.7)) < 1e-14);
-    // F = I does not capture the zigzag; s is negative
+    // F = I does not capture the zigzag
     const V2 zigzag{0.05, -0.02};
     const V2 force = pair_shear_force(rest, rest, 1.07 * G, 1.07 * G, X, X + zigzag, -0.7);
     CHECK(dot(force, zigzag) == relative(-0.7 * 2 * 1.07 * G * dot(zigzag, zigzag), 1e-9));
@@ -125,7 +125,6 @@ TEST_SUITE("term") {
     const double slope = slope_of_pair;
     CHECK(magnitude(velocity_penalty_term(L * x_ij, L + L, 1.1, slope * g.inv_r, slope * g.e)) < 1e-14);
     CHECK(magnitude(velocity_penalty_term(L * x_ij, L, 1.1, slope * g.inv_r, slope * g.e)) > 0.1);
-    // the particle at the origin moves with +e_x, neighbours with odd a + b against it
     const V2 penalty = penalty_on_checkerboard({});
     CHECK(penalty[0] < -1);
     CHECK(std::abs(penalty[1]) < 1e-14);
@@ -148,7 +147,7 @@ TEST_SUITE("term") {
     const M2 L{{{0.5, -2}, {3, 0.7}}};
     const V2 whole = velocity_penalty_term(g.v_ij, L, 1.1, slope_of_pair * g.inv_r, slope_of_pair * g.e);
     const V2 central = central_velocity_penalty_term(whole, g.e);
-    CHECK(std::abs(cross_of(x_ij, whole)) > 0.1);  // torque of the pair
+    CHECK(std::abs(cross_of(x_ij, whole)) > 0.1);
     CHECK(std::abs(cross_of(x_ij, central)) < 1e-14);
     CHECK(dot(central, g.e) == relative(dot(whole, g.e), 1e-14));
     CHECK(std::abs(dot(central, g.e)) > 0.1);

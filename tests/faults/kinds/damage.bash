@@ -43,7 +43,6 @@ prepare() {
   ends 0 session "$scene" --strict
   input=load
   cd ..
-  # each reader must accept undamaged data
   local reader
   for reader in "${readers[@]}"; do
     mkdir sound && cp -a all/. sound && cd sound || exit 2
@@ -52,7 +51,7 @@ prepare() {
   done
 }
 
-# sets $reader and $promised to a random command and its exit codes, and $file to a random file that the command reads
+# sets $reader and $promised to a random command and its exit codes, and $file to one of its files
 choose_file() {
   local files
   pick ${#readers[@]}
@@ -104,7 +103,6 @@ trial() {
   harmed
   input=load
   ends "$promised" $reader
-  # a refusal needs a message
   if [[ $code == 2 && ! -s complained ]] && ! grep -q '^error: ' said; then wrong "no message: taut $reader"; fi
   [[ $(wc -l <"$findings") == "$before" ]] || sed -i "\$s|\$| ($damage of $file)|" "$findings"
 }

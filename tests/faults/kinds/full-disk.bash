@@ -16,7 +16,7 @@ prepare() {
   printf 'run until 0.01\nsave state\nrun until 0.02\nsave state\nframe now.png\n' >script
 }
 
-# succeeds_or_lacks_room ARGUMENT...: runs the command, which must succeed, or exit with 4 and the reason
+# succeeds_or_lacks_room ARGUMENT...: the command must succeed, or exit with 4 and the reason
 succeeds_or_lacks_room() {
   ends "0 4" "$@"
   [[ $code != 4 ]] || { harmed; gives_the_reason; }
@@ -71,7 +71,7 @@ of_session() {
   [[ ! -e state ]] || { input=../load; ends 0 session "$scene" --strict; input=/dev/null; }
 }
 
-# overwrite NAME OLD NEW ARGUMENT...: runs the command, which must replace OLD by NEW, or keep OLD and exit with 4
+# overwrite NAME OLD NEW ARGUMENT...: the command must replace OLD by NEW, or keep OLD and exit with 4
 overwrite() {
   local name=$1 old=$2 new=$3
   shift 3

@@ -1,7 +1,6 @@
 harm="movie, chart, map, plot, compare, diff, render and snapshot --update are interrupted: the file is the old or the new one"
 
-# file | exit code | command that makes the old version | command that is interrupted. The file becomes the last
-# argument of both commands.
+# file | exit code | command that makes the old version | command that is interrupted
 works=(
   "movie.mp4|0|movie $ground/run --fps 10 --out|movie $ground/other --out"
   "movie.gif|0|movie $ground/run --fps 10 --out|movie $ground/other --out"
@@ -34,10 +33,10 @@ make_states() {
   took=$(<"$states.took")
 }
 
-# lists the file, and its gnuplot script and data if there are any
+# lists the file, its gnuplot script and its data
 pieces() { (cd "$ground/$name-new" && ls -d "$name" "${name%.*}.gp" "${name%.*}.dat" 2>/dev/null); }
 
-# checks the state of all files; render writes single frames, each of them complete
+# render writes single frames, each complete
 look() {
   local piece file
   for piece in $(pieces); do

@@ -14,7 +14,7 @@ prepare() {
   printf 'run until 0.002\nframe now.png\nsave state\n' >script
 }
 
-# runs a command with one resource limit, in a subshell, because `ulimit` cannot be undone
+# a subshell, because `ulimit` cannot be undone
 trial() {
   local work=${works[(number - 1) % ${#works[@]}]} option value
   choose n v v v u s; option=$chosen
@@ -40,5 +40,5 @@ trial() {
   [[ ! -d out/frames ]] || part_of_run out "$ground/out"
 }
 
-# limit OPTION VALUE COMMAND...: limits only the command, not the `timeout` that ends it
+# limit OPTION VALUE COMMAND...: limits only the command, not `timeout`
 limit() { timeout --kill-after 1 "$patience" bash -c 'ulimit -S "-$0" "$1" && exec "${@:2}"' "$@"; }

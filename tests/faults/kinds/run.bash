@@ -5,7 +5,7 @@ options=(--quiet --save-particles --fields pressure,speed)
 
 prepare() { :; }
 
-# undisturbed METHOD RANGE: sets $straight to the folder of this undisturbed run, $took to its duration in ms
+# undisturbed METHOD RANGE: sets $straight to the run's folder, $took to its duration in ms
 undisturbed() {
   straight=$ground/$1-$2
   if [[ ! -e $straight ]]; then

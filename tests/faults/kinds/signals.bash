@@ -1,6 +1,6 @@
 harm="each signal at each stage of each kind of work: the promised exit code, and no temporary files after an orderly stop"
 
-# name | preparation (a function) | condition for the signal | command
+# name | preparation | condition for the signal | command
 stages=(
   "stepping|nothing|rows out/history.csv 5|run $scene --set speed=1 --until 100 --quiet --frames 100000 --out out"
   "stepping, with checkpoints|nothing|test -e out/checkpoint.bin|run $scene --until 100 --quiet --checkpoint-every 0.001 --out out"

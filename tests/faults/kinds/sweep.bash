@@ -23,7 +23,7 @@ strike_child() {
     harmed
   fi
   finish "taut ${grid[*]} (a child killed)"
-  # 70 if the child was killed during its run, 0 if the kill came too late
+  # 0 if the kill came too late
   is_one_of "$code" "0 70" || wrong "exit code $code after a child was killed: $(complaint)"
 }
 
@@ -32,7 +32,6 @@ whole_results() {
   local row
   [[ -e out/results.csv ]] || return 0
   [[ -z $(tail -c 1 out/results.csv) ]] || torn "results.csv ends within a row"
-  # without finished runs results.csv has fewer columns
   [[ $(results out | head -n 1) == "$(results "$ground/out" | head -n 1)" ]] || return 0
   while IFS= read -r row; do
     grep -qxF -- "$row" <(results "$ground/out") || torn "results.csv: $row"

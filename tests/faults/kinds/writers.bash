@@ -8,7 +8,7 @@ pairs=(
 
 common=(--quiet --save-particles --fields speed)
 
-# command_of WORD: sets $command for a word of the table
+# command_of WORD: sets $command
 command_of() {
   case $1 in
     "run A") command=(run "$scene" "${common[@]}" --checkpoint-every 0.001 --out out) ;;
@@ -23,7 +23,7 @@ command_of() {
 }
 in_it=out/speed=0.4
 
-# lay WORD: prepares the folder before the first command
+# lay WORD: prepares the folder
 lay() {
   case $1 in
     resume) cp -a "$ground/stopped" out ;;

@@ -47,7 +47,7 @@ std::uint32_t checksum(const std::string& bytes) {
   return ~crc;
 }
 
-/// Simulates a full disk: limits the size of files.
+/// Simulates a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

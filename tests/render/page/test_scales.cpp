@@ -11,7 +11,7 @@ using namespace taut::test;
 
 namespace {
 
-/// Number of non-white pixels from column `left` on and above row `bottom`.
+/// Number of non-white pixels from column `left`, above row `bottom`.
 int painted_from(const Image& image, int left, int bottom) {
   int count = 0;
   for (int row = 0; row < bottom; ++row)

@@ -262,12 +262,12 @@ class Sector {
   void for_each_bond(int i, const F& f) const {
     for (int b = bonds_.begin[i]; b < bonds_.begin[i + 1]; ++b) f(b);
   }
-  Eigen::Matrix2d area_of_unit(int i) const {  // V0_i B_i
+  Eigen::Matrix2d area_of_unit(int i) const {
     Eigen::Matrix2d B;
     B << bonds_.B[i][0][0], bonds_.B[i][0][1], bonds_.B[i][1][0], bonds_.B[i][1][1];
     return initial_.V0[i] * B;
   }
-  /// Rows of the conditions on a_ij (THEORY.md, Balance).
+  /// Conditions on a_ij (THEORY.md, Balance).
   void add_area_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     const Eigen::Matrix2d mine = area_of_unit(i);
     const double scale = mine.trace() / (2 * initial_.V0[i]);
@@ -294,7 +294,7 @@ class Sector {
     if (inside) target.insert(target.end(), {-left_over[0], -left_over[1]});
     if (near_face) target.push_back(-along_face.dot(left_over));
   }
-  /// Rows that make the force of bonds and cancellation 0.
+  /// The force of bonds and cancellation is 0.
   void add_force_rows(int i, int row, Entries& entries, std::vector<double>& target) const {
     if (irregular_ ? at_surface_[i - first_] : !inside_[i - first_]) return;
     const double spacing = std::sqrt(initial_.V0[i]);

@@ -25,13 +25,13 @@ Point point_of(const Eigen::Vector<double, Dim>& v) {
   return p;
 }
 
-/// Rounds to float by bit operations, because GCC 12 removes casts to float in vectorised loops.
+/// Rounds to float bitwise: GCC 12 removes casts to float in vectorised loops.
 inline double single_precision(double a) {
   constexpr std::uint64_t dropped = 1ULL << 29;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) + dropped / 2) & ~(dropped - 1));
 }
 
-/// B of n particles; 0 where the bonds hardly span the space (THEORY.md, Gradient).
+/// B of n particles (THEORY.md, Gradient).
 template <int Dim>
 std::vector<InverseMoment> inverse_moments(const Bonds& bonds, int n, int threads) {
   std::vector<InverseMoment> B(n);

@@ -89,7 +89,7 @@ class Moments {
   Vector target_;
 };
 
-/// Rounds to multiples of 2^-36, so that mirror images have equal bits.
+/// Weights of mirror images get equal bits.
 inline double rounded_weight(double weight) { return std::ldexp(std::round(std::ldexp(weight, 36)), -36); }
 
 }  // namespace taut

@@ -31,7 +31,7 @@ int neighbor_towards(const Bonds& bonds, int i, const Eigen::Vector2d& d) {
   return found;
 }
 
-/// Makes face terms at particles with five bonds and at the two particles behind each (THEORY.md, Faces).
+/// Face terms at particles with five bonds and at the two behind each (THEORY.md, Faces).
 std::vector<FaceTerm> make_face_terms(const Scene& scene, const InitialParticles& initial, const Bonds& uncut,
                                       const std::vector<Point>& S) {
   constexpr int inside = 8, at_face = 5;
@@ -84,7 +84,7 @@ class BondFinisher {
   }
 
  private:
-  /// Divisors of the end correction: `on_faces` with `on_boundary` in 3D, else `cells` (THEORY.md, Volumes and masses).
+  /// Divisors: `on_faces` with `on_boundary` in 3D, else `cells` (THEORY.md, Volumes and masses).
   struct EndCorrection {
     double cells, on_faces;
   };
@@ -127,7 +127,7 @@ class BondFinisher {
       out.begin.push_back(static_cast<int>(out.j.size()));
     }
   }
-  /// Appends bonds of i, shortened at clamps; a_ij grows to keep F_i exact.
+  /// Shortens bonds at clamps; a_ij grows to keep F_i exact.
   void cut(const Bonds& uncut, int i, Bonds& out) const {
     if (!is_deformable(i)) return;
     uncut.for_each(i, [&](int j, ReferenceBond bond) {

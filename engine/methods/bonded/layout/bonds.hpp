@@ -29,7 +29,7 @@ inline Point gradient_of(const InverseMoment& B, const ReferenceBond& bond) {
   return g;
 }
 
-/// Term that is cancelled like one more bond along t (THEORY.md, Faces).
+/// Term cancelled like one more bond along t (THEORY.md, Faces).
 struct FaceTerm {
   int i;
   Point t;
@@ -41,7 +41,7 @@ struct SolidGeometry;
 /// Bonds inside bodies, stored at both ends. Rigid particles store none, except in bodies with `on_boundary`.
 struct Bonds {
   std::vector<int> begin;           // [n + 1] first bond
-  std::vector<int> j;               // [bond] other particle
+  std::vector<int> j;               // [bond]
   std::vector<ReferenceBond> rows;  // contiguous per particle
   std::vector<int> row;             // [n] first in `rows`; −1: computed by `solid`; empty: as `begin`
   std::shared_ptr<const SolidGeometry> solid;  // in 3D
@@ -54,7 +54,7 @@ struct Bonds {
 
   int size() const { return static_cast<int>(begin.size()) - 1; }
   bool is_rigid(int i) const { return taut::is_rigid(constraints[i]); }
-  /// Bond b, which must belong to particle i.
+  /// Bond b must belong to particle i.
   ReferenceBond of(int i, int b) const {
     return row.empty() ? rows[b] : row[i] < 0 ? in_solid(i, b) : rows[row[i] + b - begin[i]];
   }
@@ -81,11 +81,11 @@ inline Bonds make_bonds(const Scene& scene, const InitialParticles& initial, dou
 
 /// Modulus of bonds, at most G, in Pa (terms/bond.hpp).
 double modulus_of_bonds(int dim, const Elasticity& m);
-/// G of bond b from i to j, Pa: the harmonic mean of both ends. A rigid j counts like i.
+/// Harmonic mean of G at both ends, Pa. A rigid j counts like i.
 double modulus_of_bond(const Bonds& bonds, const InitialParticles& initial,
                        const std::vector<Elasticity>& materials, int i, int b);
 
-/// Surface S_j of each particle for the volumes V (THEORY.md, Volumes and masses).
+/// S_j for the volumes V (THEORY.md, Volumes and masses).
 std::vector<Point> surface(const Bonds& bonds);
 
 inline constexpr double least_bond_reach = 2, wide_bond_reach = 2.625;  // in h

@@ -43,7 +43,7 @@ Constraints make_constraints(const Scene& scene, const InitialParticles& initial
   for (int i = 0; i < initial.size(); ++i) {
     const Body& body = scene.bodies[initial.body[i]];
     const int drive = initial.drive[i];
-    // with on_boundary, the half cells at a driven face are part of the body and deform
+    // with on_boundary, the half cells at a driven face deform
     if (drive >= 0 && !body.on_boundary && !ends_before_run(body.drives[drive], scene))
       constraints[i] = Constraint::driven;
     else if (initial.clamped[i])

@@ -62,8 +62,8 @@ class InterfaceMaker {
     }
     return other;
   }
-  /// Unit normal at i of the plane through the midpoints of nearby bonds across the interface. Nothing if these
-  /// midpoints are not nearly in a plane.
+  /// Unit normal at i of the plane through the midpoints of nearby bonds across the interface; nothing if they are
+  /// not nearly in a plane.
   std::optional<Place> normal(int i, int other) const {
     // maximum ratio of variances across and along the plane
     constexpr double flat = 0.08;
@@ -96,8 +96,7 @@ class InterfaceMaker {
     const Place N{axis[0], axis[1], initial_.dim == 2 ? 0 : axis[2]};
     return N.dot(towards) < 0 ? -N : N;
   }
-  /// Gradient at i within its material; empty where bonds hardly determine it, because the energy would have no
-  /// minimum.
+  /// Gradient within the material; empty where bonds hardly determine it: the energy would have no minimum.
   std::vector<SideGradient> own_gradient(int i) const {
     constexpr double least = 0.5;  // of det A/(tr A/dim)^dim; 1 if isotropic
     Square A = Square::Zero();
@@ -151,7 +150,7 @@ class InterfaceMaker {
     for (const auto& [j, weight] : beta) out_.j.push_back(j), out_.weight.push_back(weight);
     out_.begin.push_back(static_cast<int>(out_.j.size()));
   }
-  /// Wave speed, m/s, estimated from row sums of stiffness over mass.
+  /// In m/s, from row sums of stiffness over mass.
   double wave_speed() const {
     std::vector<double> stiffness(bonds_.begin.size() - 1);
     for (std::size_t s = 0; s < out_.sites.size(); ++s) {

@@ -9,7 +9,7 @@ namespace taut {
 
 inline constexpr double greatest_across = 8;  // maximum of own G over G_ij
 
-/// Sites are particles with the energy of THEORY.md, Interfaces.
+/// Sites: see THEORY.md, Interfaces.
 struct Interfaces {
   struct Site {
     int id;
@@ -21,7 +21,7 @@ struct Interfaces {
   std::vector<int> begin;      // [sites + 1] first β_ij of each site
   std::vector<int> j;          // id
   std::vector<double> weight;  // β_ij, 1/m
-  double wave_speed = 0;       // m/s, for stable steps
+  double wave_speed = 0;       // m/s
 };
 Interfaces make_interfaces(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds, double spacing);

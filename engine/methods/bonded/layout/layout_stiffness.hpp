@@ -35,7 +35,7 @@ inline double greatest_eigenvalue(const std::vector<double>& diagonal, const std
   return 0.5 * (low + high);
 }
 
-/// Pseudo-random number in −1 … 1, equal for all compilers (splitmix64 of k).
+/// In −1 … 1, equal for all compilers (splitmix64 of k).
 inline double scattered(std::uint64_t k) {
   k = (k + 1) * 0x9e3779b97f4a7c15;
   k = (k ^ k >> 30) * 0xbf58476d1ce4e5b9;
@@ -43,7 +43,7 @@ inline double scattered(std::uint64_t k) {
   return static_cast<double>(k ^ k >> 31) * 0x1p-63 - 1;
 }
 
-/// Σ a_i · b_i, equal for any number of threads.
+/// Equal for any number of threads.
 template <int Dim>
 double dot(const std::vector<Vec<double, Dim>>& a, const std::vector<Vec<double, Dim>>& b, int threads) {
   constexpr int stretch = 1024;
@@ -83,8 +83,8 @@ double greatest_eigenvalue(int n, int threads, const Apply& apply) {
   }
 }
 
-/// ω² of the highest mode, 1/s², with stiffness from differences of forces. `mobility`: 1/kg, 0 if immovable.
-/// forces(u, out) writes forces in N at displacements |u| ≤ `small` (in m).
+/// In 1/s², with stiffness from differences of forces. `mobility`: 1/kg, 0 if immovable.
+/// forces(u, out) writes forces in N at displacements |u| ≤ `small`, m.
 template <int Dim, class Forces>
 double highest_frequency_squared(const std::vector<double>& mobility, double small, int threads,
                                  const Forces& forces) {

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// Whether each body is irregular (THEORY.md, Irregular bodies). `near` extends to at least 1.5 spacings.
+/// [body] (THEORY.md, Irregular bodies). `near` extends to at least 1.5 spacings.
 std::vector<bool> irregular_bodies(const InitialParticles& initial, const Constraints& constraints,
                                    const NeighborLists& near, double spacing, int threads);
 
@@ -20,11 +20,11 @@ double even_share(double per_r);
 
 bool is_on_lattice(const std::vector<Eigen::Vector3d>& X, double spacing);
 
-/// Whether there is a direction without a neighbour X within 60 degrees (2D: 50).
+/// Whether a direction has no neighbour X within 60 degrees (2D: 50).
 bool is_at_surface(const std::vector<Eigen::Vector2d>& X);
 bool is_at_surface(const std::vector<Eigen::Vector3d>& X);
 
-/// Maximum energy of bonds X with weights w over all strains, relative to the isotropic solid with λ = μ.
+/// Maximum energy of the bonds over all strains, relative to the isotropic solid with λ = μ.
 double excess(const std::vector<Eigen::Vector2d>& X, const std::vector<double>& w);
 double excess(const std::vector<Eigen::Vector3d>& X, const std::vector<double>& w);
 

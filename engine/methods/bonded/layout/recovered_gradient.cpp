@@ -53,7 +53,7 @@ void leave_out_unlinked(Neighborhood<Dim>& near) {
 }
 
 constexpr int rigid = 1;
-/// Motions (THEORY.md, Recovered gradient): 0 free, 1 rigid, else a number per drive or guide.
+/// 0 free, 1 rigid, else a number per drive or guide (THEORY.md, Recovered gradient).
 template <int Dim>
 std::vector<int> motions(const InitialParticles& initial, const Constraints& constraints,
                          const std::vector<int>& drive, double spacing, int threads) {
@@ -84,7 +84,7 @@ std::vector<int> motions(const InitialParticles& initial, const Constraints& con
   return motion;
 }
 
-/// Neighbours with the material and motion of i. X is rounded to 2^-40 dp, to share rows on lattices.
+/// X is rounded to 2^-40 dp, to share rows on lattices.
 template <int Dim>
 Neighborhood<Dim> alike(const InitialParticles& initial, const std::vector<int>& motion, int i,
                         std::span<const int> near, double spacing) {
@@ -118,7 +118,7 @@ bool is_symmetric(const Neighborhood<Dim>& near) {
   const auto is_opposite = [](const Neighbor<Dim>& one, const Neighbor<Dim>& other) {
     return (one.X + other.X).squaredNorm() < alike * alike;
   };
-  // in the order of a lattice the first neighbour is opposite to the last
+  // on a lattice the first neighbour is opposite to the last
   if (std::equal(near.begin(), near.end(), near.rbegin(), is_opposite)) return true;
   return std::ranges::all_of(near, [&](const Neighbor<Dim>& one) {
     return std::ranges::any_of(near, [&](const Neighbor<Dim>& other) { return is_opposite(one, other); });

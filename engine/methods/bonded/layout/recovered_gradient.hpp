@@ -34,12 +34,12 @@ struct RecoveredGradient {
             halved.empty() ? nullptr : halved.data(),
             between.empty() ? nullptr : between.data()};
   }
-  /// g_ij for begin[i] ≤ b < begin[i + 1]; not for `halved`.
+  /// begin[i] ≤ b < begin[i + 1]; not for `halved`.
   const double* of(int i, int b) const { return &g[row[i] + dim * (b - begin[i])]; }
 };
 
-/// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, but −1 after the end of
-/// the drive. `reach`: support of the method's gradient, m. `halved`: stores g in single precision.
+/// Particle id[k] is stored at k; the result uses stored indices. `drive`: as in `initial`, but −1 after its
+/// end. `reach`: support of the method's gradient, m. `halved`: stores g in single precision.
 RecoveredGradient recovered_gradient(const InitialParticles& initial, const Constraints& constraints,
                                      const std::vector<int>& drive, const std::vector<int>& id,
                                      double spacing, double reach, int threads = 1, bool halved = false);

@@ -10,11 +10,11 @@ namespace taut {
 
 /// G: modulus_of_bond.
 struct BondConstants {
-  int j;          // id of the particle at the other end; −1 − p: the bond ends at clamp place p
+  int j;          // id of the other end; −1 − p: clamp place p
   double k;       // G (V0_i w_ij + V0_j w_ji)/r0² in N/m; bit-identical for both ends
   double r2;      // r0² in m²
   double energy;  // G V0_i w_ij in J
-  Point area;     // a_ij from i to j, up to the factor that B removes (THEORY.md)
+  Point area;     // a_ij, up to the factor that B removes (THEORY.md)
 };
 
 /// Bond or face term (THEORY.md, Cancellation). G: modulus_of_bond, for face terms modulus_of_bonds.
@@ -23,7 +23,7 @@ struct CancelledTerm {
   double strength;  // G V0_i w_ij in J
 };
 
-/// Point where a bond into a rigid region ends, and the rigid particle.
+/// End of a bond into a rigid region.
 struct ClampPlace {
   Point x;             // at the start, m
   int rigid_particle;  // id
@@ -39,7 +39,7 @@ struct BondedSetup {
   double wave_speed;                     // m/s
   double damping_lead;                   // 3 τ in s (THEORY.md, Damping)
   std::vector<ClampPlace> clamp_places;  // sorted by the particle whose bond ends there
-  std::vector<int> first_clamp_place;    // [n] index in `clamp_places`
+  std::vector<int> first_clamp_place;    // [n]
 
   std::vector<BondConstants> bond_constants(int i) const;
   std::vector<CancelledTerm> cancelled_terms(int i) const;

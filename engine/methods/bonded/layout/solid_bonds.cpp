@@ -134,7 +134,7 @@ class SolidBonds {
     });
   }
   void choose_gradients(int threads) {
-    // minimum of det A/(tr A/3)³ with A = Σ_j a_ij ⊗ X_ij; isotropic neighbours have 1
+    // minimum of det A/(tr A/3)³ with A = Σ_j a_ij ⊗ X_ij; isotropic: 1
     constexpr double least = 0.5, least_of_irregular = 0.7;
     using enum SolidGeometry::Gradient;
     geometry_.gradient.assign(initial_.size(), of_axes);
@@ -162,7 +162,7 @@ class SolidBonds {
 
 }  // namespace
 
-/// Rounds X to 2^-40 spacings, so that equal bonds of a lattice have equal bits.
+/// Rounds X so that equal bonds of a lattice have equal bits.
 ReferenceBond SolidGeometry::bond(int i, int j, std::size_t k) const {
   const Point &from = x[i], &to = x[j];
   ReferenceBond one{};

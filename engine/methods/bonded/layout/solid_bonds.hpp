@@ -14,12 +14,12 @@ struct SolidGeometry {
 
   std::vector<Point> x;        // [n] m
   double spacing;              // m
-  std::vector<int> irregular;  // [n] index of the particle's first weight in `weights`; −1: lattice weights
+  std::vector<int> irregular;  // [n] first index in `weights`; −1: lattice weights
   std::vector<double> weights;
   std::vector<Gradient> gradient;  // [n]
   bool off_lattice = false;
 
-  /// Bond from i to j, the k-th neighbour of i.
+  /// j is the k-th neighbour of i.
   ReferenceBond bond(int i, int j, std::size_t k) const;
 };
 

@@ -49,8 +49,8 @@ Dual<Components> operator/(double a, const Dual<Components>& b) {
   return Dual<Components>(a) / b;
 }
 
-/// Transcription of oenog; shares initial particles, bonds and interfaces with the solver. In 2D the scene must have one
-/// body, in 3D touching bodies the same material.
+/// Shares initial particles, bonds and interfaces with the solver. In 2D the scene must have one body, in 3D touching
+/// bodies the same material.
 template <int Dim>
 class NaiveOenogIn {
  public:
@@ -122,7 +122,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// −∂E/∂x for the benchmark, with explicit derivatives except at material interfaces.
+  /// For the benchmark, with explicit derivatives except at material interfaces.
   Places force_by_hand(const Places& at) const {
     Places f(at.size());
     for (int i = 0; i < size(); ++i) {
@@ -146,7 +146,7 @@ class NaiveOenogIn {
     return f;
   }
 
-  /// Dashpot forces V0 G w τ q̇/r0² (x_j − x_i), summed over both ends of each bond; q = ½ (r²/r0² − 1).
+  /// V0 G w τ q̇/r0² (x_j − x_i), summed over both ends of each bond; q = ½ (r²/r0² − 1).
   Places drag(double damping) const {
     double shear_speed = 0, share = 0;
     for (int i = 0; i < size(); ++i) {

@@ -106,7 +106,7 @@ std::vector<double> depths(const InitialParticles& initial, const Box& box) {
   return depth;
 }
 
-/// Least stiffness of a square lattice against zigzags, relative to rest. Only bonds resist.
+/// Least stiffness of a square lattice, relative to rest. Only bonds resist.
 double zigzag_stiffness(const Gradient& F) {
   const auto least = [](const Gradient& H) {
     double result = 1e300;

@@ -48,8 +48,7 @@ double turned(const Scene& scene, const char* method, double t) {
   return simulation->series().value[0].back();
 }
 
-/// Reaction at the pulled end of a bar (ν = 0), divided by E A u/L. The left end is clamped or, with `both`, driven at
-/// speed 0.
+/// Reaction at the pulled end of a bar, divided by E A u/L. With `both`, the left end is driven at speed 0.
 double resistance(double spacing, bool both, const char* method, std::optional<double> until = {}) {
   constexpr double E = 1e6, clamp = 0.004, width = 0.012, free = 0.032, u = 1e-5;
   Scene scene;

@@ -26,7 +26,7 @@ constexpr double L = 0.05, H = 0.01;  // length of each half, and thickness of t
 double matched(double ratio) { return (std::sqrt(1 + 4 * nu_stiff * (1 + nu_stiff) / ratio) - 1) / 2; }
 double plane_modulus(double E, double nu) { return E / (1 - nu * nu); }
 
-/// A bar that is stiff at x > 0 (`axis` 0) or y > 0 (`axis` 1).
+/// Stiff at x > 0 (`axis` 0) or y > 0 (`axis` 1).
 Scene bar(double ratio, double nu_soft, int axis, double spacing, double half = H) {
   Scene scene;
   scene.name = "bar";
@@ -79,7 +79,7 @@ double lowest_frequency(double ratio) {
   return above / (2 * std::numbers::pi);
 }
 
-/// Frequency at which the length of the bar oscillates, in Hz, from five periods.
+/// In Hz, from five periods.
 double measured_frequency(double ratio, double spacing) {
   Scene scene = bar(ratio, matched(ratio), 0, spacing, H / 2);
   const double expected = lowest_frequency(ratio), omega = 2 * std::numbers::pi * expected;

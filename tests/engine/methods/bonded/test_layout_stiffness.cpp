@@ -16,8 +16,7 @@ namespace {
 
 using Field = std::vector<Vec<double, 2>>;
 
-/// Greatest eigenvalue of a chain of unit masses and springs between two walls. Along y each particle has its own
-/// spring.
+/// Greatest eigenvalue of unit masses and springs between two walls. Along y each particle has its own spring.
 double of_chain(const std::vector<double>& springs, int threads, int& products) {
   products = 0;
   const int n = static_cast<int>(springs.size());

@@ -42,7 +42,7 @@ Scene square(int n) {
   return scene;
 }
 
-/// Body-centred lattice with one particle per dp³.
+/// One particle per dp³.
 Scene body_centred(int n) {
   Scene scene = block(n);
   const double cell = std::cbrt(2.0) * dp;

@@ -56,7 +56,7 @@ RecoveredGradient recovered(const Scene& scene, const InitialParticles& initial,
                             /*threads*/ 1, halved);
 }
 
-/// Greatest error of the gradient over all monomials of `degree`, with lengths in dp.
+/// Greatest error over all monomials of `degree`, with lengths in dp.
 template <class Rows, class Gradient>
 double error(const Rows& rows, const Gradient& g, const InitialParticles& initial, int i, double dp,
              int degree) {
