@@ -1,4 +1,5 @@
-# `cmake --install BUILD [--prefix DIR]` installs the program. `cpack` in the build folder makes a Debian package.
+# `cmake --install BUILD [--prefix DIR]` installs the program, which finds its scenes relative to its own path. `cpack`
+# in the build folder makes a Debian package.
 
 # A program in a build folder uses the scenes of the sources.
 foreach(folder ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/tests)

@@ -213,6 +213,7 @@ void Renderer::Parts::draw_lines(const FrameView& frame) {
   canvas->end();
 }
 
+/// Keeps the page of the previous frame if both frames have only discs and the same field.
 void Renderer::Parts::draw_discs(const FrameView& frame) {
   const bool page_stands =
       disc_painter && !has_lines(frame) && (!annotation || annotation->is_current_for(frame));

@@ -28,7 +28,7 @@ struct Claim {
   std::string criterion;
   std::string part, evidence;  // may be empty
   ClaimState state = ClaimState::holds;
-  std::string reason;
+  std::string reason;    // why the state is not `holds`
   std::string last_run;  // date, may have a remark
 
   std::string name() const { return paper + "." + key; }

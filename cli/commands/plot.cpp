@@ -121,6 +121,7 @@ std::vector<std::string> default_columns(const Scene& scene) {
 
 using UnitOf = std::string (*)(const std::string& name, const Scene& scene);
 
+/// Missing columns are reported later.
 void refuse_two_units(const std::string& column, UnitOf unit_of, const StoredRun& run, const Scene& scene,
                       const StoredRun& first, const Scene& of_first) {
   const std::string unit = unit_of(column, scene), before = unit_of(column, of_first);

@@ -20,8 +20,8 @@ class SequenceBounds {
   void add_positions(std::span<const double> x, int dim, double diameter);
   void add(const FrameView& particles);
 
-  /// Leaves out at each end at most 1 % of the values beyond ±`round_off`. Never empty; symmetric about `middle`, if
-  /// given.
+  /// Leaves out outliers: at each end at most 1 % of the values beyond ±`round_off`. Never empty; symmetric about
+  /// `middle`, if given.
   render::Range range(std::optional<double> middle, double round_off = 0) const;
   /// Includes a margin of 5 % of the longer side.
   render::View view() const;

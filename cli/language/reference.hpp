@@ -13,7 +13,7 @@ struct Topic {
   std::string name;
   std::string header;  // "[[body]]"
   std::string help;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows;  // column names first
   std::string example;
 };
 

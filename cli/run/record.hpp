@@ -104,7 +104,7 @@ struct StoredRecord : RunRecord {
   Json all;
 };
 
-/// Run time in s, or 0. After --resume, a lower bound.
+/// Run time in s, or 0. After --resume, a lower bound: the stored wall time covers the last part only.
 double seconds_taken(const StoredRecord& record);
 
 /// Returns nullopt without a file. Throws like record_from.

@@ -220,7 +220,7 @@ void Run::step_through() {
     advance(std::min({next_output(), next_checkpoint_, record_.until}));
     const bool stopped = interrupts_.interrupted();
     show_what_is_due(false);
-    // a continued run must not have the final row
+    // the checkpoint precedes the final row, which a continued run must not have
     const bool well = result_.failure.empty();
     if (well && (stopped || record_.reached >= next_checkpoint_)) save_checkpoint();
     going = well && !stopped && record_.reached < record_.until;

@@ -32,6 +32,7 @@ struct Setting {
 Setting parse_setting(const std::string& assignment);
 std::string text_of(const Setting& setting);
 
+/// A setting that every scene has.
 struct SettingInfo {
   std::string_view name;
   std::string_view column;       // in results.csv

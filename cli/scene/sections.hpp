@@ -58,7 +58,7 @@ void read_lines(TomlCursor& root, Scene& scene);
 void read_measures(TomlCursor& root, Scene& scene);
 void read_references(TomlCursor& root, SceneFile& file);
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene);
-/// Searches `folder`, then the scene folders. Makes `file` relative to a scene folder, or absolute.
+/// Searches `folder`, then the scene folders. Makes the key `file` relative to a scene folder, or absolute.
 std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path& folder,
                                  std::string_view what);
 /// Requires the scene's bodies.
@@ -145,7 +145,7 @@ struct ContactChoice {
 };
 std::span<const ContactChoice> contact_choices();
 
-/// In references and run.json.
+/// Law of methods with a 2D deviator, in references and run.json.
 inline constexpr std::string_view in_plane_law = "2d_deviator";
 /// neo_hookean (run.json) to neo-hookean.
 std::string law_name(std::string_view material_law);

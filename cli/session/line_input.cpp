@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int lines_kept = 1000;
 
-// libedit calls plain functions
+// global, since libedit calls plain functions
 LineInput::Complete complete_words;
 std::vector<std::string> found;
 

@@ -87,7 +87,7 @@ void describe_errors(Chart& chart, const ChartErrors& errors, const StoredRun& r
   chart.dim = run.record.dim;
 }
 
-/// Value of all runs that have one, or empty.
+/// Value of all runs that have one; empty if the values differ.
 std::string common(const StoredResults& results, std::string_view column) {
   std::string value;
   for (const StoredRun& run : results.runs) {

@@ -11,9 +11,9 @@
 namespace taut::cli {
 
 enum class Cost {
-  cpu,   // CPU seconds of the solver
-  wall,  // elapsed time, s
-  particle_steps,
+  cpu,             // CPU seconds of the solver
+  wall,            // elapsed time, s
+  particle_steps,  // equal on all machines
 };
 inline bool is_time(Cost cost) { return cost != Cost::particle_steps; }
 std::vector<std::string> cost_names();

@@ -90,7 +90,7 @@ std::string nothing_offered(const Chart& chart, std::optional<double> seconds) {
                : fmt::format("There is no stable run with a measured error{}.\n", limit);
 }
 
-/// Smallest error within the time limit, and the cheapest suitable run beyond it.
+/// Smallest error of a stable run within the time limit, and the cheapest suitable run beyond it.
 std::string refusal(const Chart& chart, const ChoiceLimits& limits) {
   const ChartSeries* series = nullptr;
   const ChartPoint* nearest = nullptr;

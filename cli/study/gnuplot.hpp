@@ -30,7 +30,7 @@ std::string plot_text(std::string_view text);
 
 /// `width`, `height`: pixels; `scale` enlarges everything.
 std::string plot_head(const PlotFiles& files, int width, int height, double scale = 1);
-/// " pointsize SIZE*points", equal in all formats.
+/// " pointsize SIZE*points", which looks equal in all formats.
 std::string point_size(std::string_view size);
 std::string plot_title(std::string_view title);
 /// Note at the left edge; `height`: 0 at the bottom, 1 at the top.

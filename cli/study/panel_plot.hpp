@@ -12,7 +12,7 @@ namespace taut::cli {
 struct PlotLook {
   std::optional<std::string> title{};  // default: title of the results; empty: none
   int width = plot_width;
-  std::optional<int> height{};
+  std::optional<int> height{};  // default: depends on the panels
   double scale = 1;
   bool log_x = false, log_y = false;
 };

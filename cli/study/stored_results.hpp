@@ -35,7 +35,7 @@ struct StoredRun {
   /// Nullopt unless finite.
   std::optional<double> value_of(std::string_view measure) const;
 
-  mutable std::vector<std::uint32_t> by_column = {};  // order of `cells` by column
+  mutable std::vector<std::uint32_t> by_column = {};  // order of `cells` by column, made by `text`
 };
 
 /// Runs of sweeps or run folders.
@@ -64,7 +64,7 @@ void keep_methods(StoredResults& results, const std::vector<std::string>& method
 std::vector<std::string> distinguishing_columns(const std::vector<StoredRun>& runs, const std::string& x);
 /// Settings of the scene, not of its simulation: "v0", "until".
 std::vector<std::string> names_of_scene(const std::vector<StoredRun>& runs);
-/// Set or default; "" if unknown.
+/// Value, set or default; "" if unknown.
 std::string value_of(const StoredRun& run, const std::string& name);
 struct ResultColumn {
   std::string name;    // "deflection (error)", "v0"

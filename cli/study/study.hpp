@@ -43,8 +43,8 @@ StudyPictures read_pictures(TomlCursor& root);
 /// Names known before the runs start.
 struct AvailableData {
   std::set<std::string> measures;
-  std::set<std::string> referenced;
-  std::set<std::string> differences;  // from a reference
+  std::set<std::string> referenced;   // measures with a reference
+  std::set<std::string> differences;  // measures that are differences from a reference
   std::set<std::string> methods;
   std::set<std::string> columns;  // of history.csv
   std::vector<std::string> swept;

@@ -17,7 +17,7 @@ class MachineLoad {
  public:
   MachineLoad();
   /// Mean number of cores used by other processes and the hypervisor since construction. Nullopt without /proc/stat,
-  /// and in the first 0.2 s.
+  /// and in the first 0.2 s, since kernel ticks are coarse.
   std::optional<double> of_others() const;
 
  private:

@@ -18,7 +18,7 @@ class OrderedWork {
   /// `worker` counts from 0 and differs between concurrent pieces.
   using Piece = std::function<SecondHalf(int worker)>;
 
-  /// Starts at most `workers` threads; without any, `add` does all work.
+  /// Starts at most `workers` threads, fewer if the system refuses them; without any, `add` does all work.
   explicit OrderedWork(int workers);
   /// Drops pieces that have not begun; waits for the others.
   ~OrderedWork();

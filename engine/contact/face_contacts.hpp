@@ -16,7 +16,8 @@
 namespace taut {
 
 /// Contact of faces in 2D (terms/surface_contact.hpp). Each node is pushed towards its closest point of the other face.
-/// The force is proportional to the facing length of the node's half segments. Conserves linear and angular momentum.
+/// The force is proportional to the length of the node's two half segments, as far as they face this point. Conserves
+/// linear and angular momentum.
 class FaceContacts final : public ContactMechanism<2> {
  public:
   using V = Vec<double, 2>;
@@ -59,7 +60,7 @@ class FaceContacts final : public ContactMechanism<2> {
   void for_each_wall(const WallContacts<2>& walls, const F& f) const;
   bool fades(const NearFaces& near) const { return has_mesh_ && &near == &candidates_.own_faces; }
   double greatest_depth(const NearFaces& near) const { return (fades(near) ? own_reach : reach) * dp_; }  // m
-  /// Depth of full fading, m.
+  /// Depth at which the contact has faded, m.
   double faded(const NearFaces& near) const {
     return fades(near) ? own_reach * dp_ : std::numeric_limits<double>::infinity();
   }

@@ -46,7 +46,7 @@ class FaceSearch {
           const V d = x - middles_[at];
           const double apart2 = dot(d, d);
           if (apart2 >= (beyond + half) * (beyond + half) || !wanted(node, segments[at])) continue;
-          const double distance = std::sqrt(apart2) - half;
+          const double distance = std::sqrt(apart2) - half;  // lower bound
           if (distance < listed)
             out.segment.push_back(segments[at]);
           else

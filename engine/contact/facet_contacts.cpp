@@ -69,7 +69,8 @@ void FacetContacts::list() {
   touching_ = facets_.particles_of(nodes_);
 }
 
-/// Calls f(other row, pair) for each of the rows `first` that contributes to the mean depth of `row`.
+/// Calls f(row of the other facet, pair) for each of the `count` rows from `first` on that contributes to the mean
+/// depth of `row`.
 template <class F>
 void FacetContacts::for_each_pair(int row, const int* first, int count, const F& f) const {
   const MovingFacets::Place& own = facets_[rows_[row].facet];
@@ -144,6 +145,7 @@ auto FacetContacts::measured(int r) -> Touch {
   return touch;
 }
 
+/// Derivatives of the energy of all contacts, also of the other rows.
 MovingFacets::Slope FacetContacts::slope_of(int r) const {
   const Touch& own = touches_[r];
   const double area = facets_[rows_[r].facet].area, M = M_[rows_[r].facet];

@@ -111,7 +111,7 @@ class Archive {
     if (is_copied<T> || values.size() > size) values.resize(size);
     elements(values, size);
   }
-  /// Not inlined: the portable build could otherwise call the copy of an AVX build.
+  /// Not inlined, so that the portable build has its own copy: the linker could otherwise call one of an AVX build.
   template <class T>
   [[gnu::noinline]] void one_fixed(std::vector<T>& values) {
     const std::size_t size = side().length(values.size(), 1);

@@ -10,6 +10,7 @@
 namespace taut {
 
 /// x^(−1/3), odd in x, with a relative error up to 4e-16 for |x| from 1e-300 to 1e300. Bit-identical on all machines.
+/// Each round reduces the residual r to O(r⁴).
 inline double inverse_cube_root(double x) {
   constexpr std::uint64_t guess = 0x553ef0ff289dd796u;  // Moroz et al., Energies 14 (2021) 1058
   const double a = std::abs(x);

@@ -6,7 +6,7 @@
 namespace taut {
 
 /// Reserves room for `more` entries: first twice the need, later the total extrapolated from `done` of `all`
-/// contributions.
+/// contributions, since each reallocation needs memory for two copies.
 template <class List>
 void make_room(List& list, std::size_t more, std::size_t done, std::size_t all) {
   constexpr std::size_t extrapolation_part = 16;

@@ -131,6 +131,7 @@ std::vector<int> surroundings(const Snapshot& start, std::span<const int> near, 
   return places;
 }
 
+/// In 3D equal rows share weights: lattices have few different rows.
 class Rows {
  public:
   Rows(const Snapshot& start, double spacing, Neighborhoods& near)

@@ -16,7 +16,7 @@ using LatticeSite = std::array<int, 3>;  // plane numbers
 using Vector = Eigen::Vector3d;
 using Corners = std::array<Vector, 8>;  // bit k: upper corner along axis k
 
-/// Gaps skip a number.
+/// Plane number of each coordinate; gaps skip a number.
 std::vector<int> planes(const std::vector<double>& x, double apart) {
   constexpr double widest = 1.5;
   std::vector<double> sorted = x, first;
@@ -54,7 +54,7 @@ std::map<LatticeSite, std::size_t> sites(const Snapshot& now, int body) {
   return at;
 }
 
-/// Two Gauss points per axis are exact.
+/// Integral of the Jacobian of the trilinear map; two Gauss points per axis are exact.
 double volume(const Corners& corner) {
   const double offset = 0.5 / std::sqrt(3.0);
   double sum = 0;

@@ -35,10 +35,10 @@ struct MeasureSource {
   std::optional<Curve> free;
   ReferenceCurves reference;  // may be empty
   std::optional<double> reference_value;
-  const SampleLine* line = nullptr;
+  const SampleLine* line = nullptr;  // may be null
   const std::vector<LineSample>* samples = nullptr;
-  const Snapshot* now = nullptr;
-  double until = 0;  // s
+  const Snapshot* now = nullptr;  // may be null
+  double until = 0;               // s
   bool end_extreme_may_grow = true;
 };
 

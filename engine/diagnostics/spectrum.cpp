@@ -42,7 +42,7 @@ double vertex(double left, double middle, double right) {
   return bend < 0 ? 0.5 * (left - right) / bend : 0;
 }
 
-/// Greatest height within 1/(end − begin) of each frequency, to bridge the window's zeros.
+/// Greatest height within 1/(end − begin) of each frequency, to bridge the zeros of the window's spectrum.
 template <class Height>
 std::vector<double> without_zeros(std::size_t n, const Height& height) {
   std::vector<double> hull(n);

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// W(r) = α/h^Dim w(q), q = r/h; 0 for q ≥ `support`. `dw` is w′, `dw_per_q` w′/q.
+/// W(r) = α/h^Dim w(q), q = r/h; 0 for q ≥ `support`. `dw` is w′, `dw_per_q` w′/q (finite at 0).
 template <KernelName Name>
 struct Kernel;
 

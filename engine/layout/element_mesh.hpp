@@ -27,7 +27,7 @@ struct MeshFacet {
   std::array<int, 4> node{};
   int element = 0;
   int side = 0;           // 2 axis + (1 at the upper end)
-  bool inverted = false;  // mirror image of the reference element
+  bool inverted = false;  // the element is a mirror image of the reference element
 };
 
 /// Meshes a body with nodes about dp apart, numbered from 0. Throws SceneError for shapes without a mesh.

@@ -181,7 +181,7 @@ class BodyNodes {
   ElementMesh mesh_;
 };
 
-/// Empty outside the element.
+/// Shape functions at a point, by Newton's method. Empty outside the element.
 template <int n, int Dim>
 std::vector<PointWeight> shapes_at(const ElementMesh& mesh, int element, const Point& at) {
   using Line = LineElement<n>;

@@ -17,7 +17,7 @@ namespace {
 // lengths in spacings
 constexpr int layers = 3;
 constexpr int steps = 8;        // more steps turn rows inside into hexagonal grains
-constexpr double beside = 0.6;  // distance of a new layer to existing particles
+constexpr double beside = 0.6;  // least distance of a new layer to existing particles
 /// Least distance of a hole to all particles.
 double hole(int dim) { return 0.6 * std::sqrt(dim); }
 constexpr double least_depth_of_hole = 0.35;
@@ -159,7 +159,7 @@ class Relaxation {
     }
     return best;
   }
-  /// [candidate]
+  /// [candidate] number of its connected part.
   static std::vector<int> components(const PointGrid& candidates) {
     constexpr double linked = 0.5;
     std::vector<int> component(candidates.points().size(), -1), open;

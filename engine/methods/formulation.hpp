@@ -35,7 +35,7 @@ struct Formulation {
   std::span<const Citation> citations = {};  // replace sources and tests of terms
   Deviator deviator = Deviator::in_plane;
   KernelName kernel = KernelName::wendland_c2;
-  ContactLaw contact = ContactLaw::sph;  // default
+  ContactLaw contact = ContactLaw::sph;  // unless the scene chooses another
   double contact_stiffness = 1;          // see the contact law in terms/
   bool several_materials = false;
   double h_over_dp = 1.3;

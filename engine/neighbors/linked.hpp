@@ -10,8 +10,9 @@
 
 namespace taut {
 
-/// Keeps the order and returns the number of linked items. A linked item lies within link_of_neighbors of the place, or
-/// of an item within this distance of the place. `from_place` and `between` return squared distances, in spacings.
+/// Moves the items linked to a place to the front, in order, and returns their number. A linked item lies within
+/// link_of_neighbors of the place, or of an item within this distance of the place. `from_place` and `between` return
+/// squared distances, in spacings.
 template <class T, class FromPlace, class Between>
 std::size_t bring_linked_to_front(std::span<T> near, const FromPlace& from_place, const Between& between) {
   constexpr double link2 = link_of_neighbors * link_of_neighbors;

@@ -21,8 +21,8 @@ struct PlaceGrid {
   }
 };
 
-/// Marching squares over inside(column, row), with the solid on the left. Contours pass through face(in, out). Parts
-/// that touch at a corner are separate.
+/// Marching squares over inside(column, row), with the solid on the left. Between the neighbours `in` and `out`,
+/// contours pass through face(in, out). Parts that touch at a corner are separate.
 std::vector<Chain> contours(const PlaceGrid& grid, const std::function<bool(long, long)>& inside,
                             const std::function<Point(const Point&, const Point&)>& face);
 

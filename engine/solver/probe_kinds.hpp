@@ -75,7 +75,7 @@ struct ProbeRow {
   /// May be null. Throws SceneError if the probe does not fit its body.
   void (*set_up)(ProbeFollower<Dim>&, const ProbeSetUp&);
   double (*value)(ProbeFollower<Dim>&, const ProbeStep<Dim>&);
-  /// May be null.
+  /// Called after each neighbour search; may be null.
   void (*rebuilt)(ProbeFollower<Dim>&, const ProbeView<Dim>&, const Neighbors&) = nullptr;
   bool takes_stress = false;
 };

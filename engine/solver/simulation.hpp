@@ -44,8 +44,8 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances to the first step that ends at or past `t` (in s). Never shortens a step. Throws NumericalError if the
-  /// run diverges.
+  /// Advances to the first step that ends at or past `t` (in s). Never shortens a step, so that output does not alter a
+  /// run. Throws NumericalError if the run diverges.
   void advance_to(double t) { advance(t, std::numeric_limits<double>::infinity()); }
   /// Like `advance_to`, but makes no step that ends at or past `short_of` (in s).
   virtual void advance(double t, double short_of) = 0;

@@ -22,7 +22,7 @@ inline Sym<double, 2> positive_part(const Sym<double, 2>& sigma) {
   const double scale = 0.5 * greatest / radius;
   return {scale * (radius + half), scale * sigma(0, 1), scale * (radius - half)};
 }
-/// Ours: the papers treat the plane.
+/// The 3D form is ours: the papers treat the plane.
 inline Sym<double, 3> positive_part(const Sym<double, 3>& sigma) {
   const Principal principal = principal_axes(sigma);
   Sym<double, 3> positive{};

@@ -49,7 +49,7 @@ Sym<double, 2> turned_stress(const Mat<double, 2>& L, const Sym<double, 2>& s, d
   Sym<double, 2> result{mean + turned, cos2 * s(0, 1) - sin2 * difference, mean - turned};
   return result += dt * jaumann_rate<deviator>(L, Sym<double, 2>{}, G);
 }
-/// Ours: [Khayyer2024] treats the plane. R = I + 2 (A + A²)/(1 + |a|²), A v = ½ dt ω v = a × v.
+/// The 3D form is ours: [Khayyer2024] treats the plane. R = I + 2 (A + A²)/(1 + |a|²), A v = ½ dt ω v = a × v.
 template <Deviator deviator>
 Sym<double, 3> turned_stress(const Mat<double, 3>& L, const Sym<double, 3>& s, double G, double dt) {
   Mat<double, 3> A;

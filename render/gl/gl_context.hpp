@@ -15,8 +15,8 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Makes the context current in this thread. `target` has the context's size and receives the picture. OpenGL's row
-  /// 0 is the bottom row of the image.
+  /// Makes the context current in this thread. `target` has the context's size and receives the picture of
+  /// `framebuffer()`. OpenGL's row 0 is the bottom row of the image.
   class Current {
    public:
     /// Throws UsageError without enough memory.

@@ -18,8 +18,8 @@ inline constexpr Rgb white = {255, 255, 255};
 /// Whether black is easier to read on `color` than white; ITU-R BT.709 on stored values.
 inline bool is_light(Rgb color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] > 118; }
 
-/// Rows from the top. A pixel has the bytes B, G, R, 255. If transparent, the last byte is the opacity, which
-/// multiplies the others.
+/// Rows from the top. A pixel has the bytes B, G, R, 255 for OSMesa and Cairo. If transparent, the last byte is the
+/// opacity, which multiplies the others.
 struct Image {
   int width = 0;
   int height = 0;

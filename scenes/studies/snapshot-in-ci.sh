@@ -19,7 +19,7 @@ taut=${TAUT:-$(dirname "$0")/../../build/taut}
 baseline=${1:-baselines/colliding-rings}
 
 [ $# -eq 0 ] || shift
-# for your own scene, write its path
+# few particles and small frames, during contact; for your own scene, write its path
 set -- colliding-rings --baseline "$baseline" --spacing 0.002 --until 0.006 --frames 4 --size 320x180 "$@"
 
 if [ ! -d "$baseline" ]; then

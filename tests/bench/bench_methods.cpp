@@ -107,7 +107,7 @@ Step steps_of(Run made) {
   return [run] { run->step(); };
 }
 
-/// Makes one step; empty for finite elements. Keeps a reference to `scene`.
+/// Function that makes one step, empty for finite elements; keeps a reference to `scene`.
 template <int Dim>
 Step transcription(const Scene& scene, const Settings& settings) {
   const MethodInfo& method = *find_method(settings.method);

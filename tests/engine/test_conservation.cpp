@@ -118,7 +118,7 @@ TEST_SUITE("conservation") {
   }
 
   TEST_CASE("angular momentum: corrected kernel gradients conserve it, the artificial stress does not") {
-    // the torque is the antisymmetric part of Σ V_i σ_i·L_i·M_i, where L_i·M_i = I
+    // the torque is the antisymmetric part of Σ V_i σ_i·L_i·M_i, which is 0 because L_i·M_i = I
     const Scene scene = rotating_plate(0.2);
     const auto change = [&](const std::string& method, double epsilon) {
       Settings settings = with_method(method);

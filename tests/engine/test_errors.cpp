@@ -175,7 +175,8 @@ TEST_SUITE("unit") {
     for (const char* method : {"og", "enog", "d-ulsph-r-tic", "ccb"}) {
       CAPTURE(std::string(method));
       for (const double nu : {0.2, 0.3, 0.49}) CHECK(step(method, nu) == relative(1, 1e-14));
-      // below ν = 0, or 0.2 for enog, c0 times the step is proportional to 1/√(1 + ζG/K)
+      // below ν = 0, or 0.2 for enog, c0 times the step is proportional to 1/√(1 + ζG/K);
+      // G/K is ¾, 3/2 and 6 at ν = 0.2, 0 and −0.5
       const bool enog = std::string(method) == "enog";
       const double zeta = enog ? 3.5 : 4.0 / 3, known = 1 + (enog ? 0.75 : 1.5) * zeta;
       CHECK(step(method, 0) == relative(std::sqrt(known / (1 + 1.5 * zeta)), 1e-9));

@@ -34,7 +34,7 @@ taut() {
   sound "taut $*"
 }
 
-# sound WHAT: checks that $code is not a crash
+# sound WHAT: checks that the program that ended with $code has not crashed
 sound() {
   case $code in
     132 | 134 | 135 | 136 | 139) crashed "signal $((code - 128)): $1" ;;

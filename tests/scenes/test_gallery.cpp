@@ -137,7 +137,7 @@ TEST_SUITE("analytic") {
 
 TEST_SUITE("failure") {
   TEST_CASE("gallery: tension resists a lateral force with oenog, and hardly with enog") {
-    // E is the plane-strain modulus
+    // a clamped beam under tension; E is the plane-strain modulus
     const double E = 1e7 / (1 - 0.09), L = 0.4, h = 0.01, strain = 0.05, Q = 55, T = E * h * strain;
     const double deflection = Q / (2 * T) * ((1 + strain) * L / 4 - std::sqrt(E * h * h * h / 12 / T));
     CHECK(values_at(0.55, "tensioned-strip.toml", "oenog")[0] == relative(deflection, 0.1));

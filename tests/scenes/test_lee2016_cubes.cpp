@@ -33,7 +33,7 @@ struct Run {
   double zigzag = 0, noise = 0;  // alternating shares of the positions and of the pressure
   Conservation kept;
   double gain = 0;    // greatest energy / energy supplied − 1; at least 0
-  double volume = 1;  // ratio to the initial volume, farthest from 1
+  double volume = 1;  // the ratio to the initial volume that is farthest from 1
 
   double value(const std::string& name) const {
     INFO(name);

@@ -19,7 +19,7 @@ using namespace taut::test;
 
 namespace {
 
-/// The first energies are near round-off.
+/// The load, a traction or the weight, grows from 0 during T: the first energies are near round-off.
 constexpr const char* beam = R"(
 title = "Beam at rest under a ramped load"
 spacing = "0.002"

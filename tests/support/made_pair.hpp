@@ -13,6 +13,7 @@ struct PairedParticle {
   double rho() const { return m / V; }
 };
 
+/// The two particles differ in every value.
 inline constexpr PairedParticle first_of_pair{{0.1, 0.7}, {-3, 1}, 1.7, 0.9, 5, {2, -3, 4}};
 inline constexpr PairedParticle second_of_pair{{-0.5, 0.2}, {2, 0.5}, 0.8, 1.1, -7, {-1, 6, 3}};
 inline constexpr double slope_of_pair = -0.83;  // ∂W/∂r, 1/m³

@@ -68,7 +68,7 @@ class InterfaceSites {
     double V, share;    // m^Dim; θ
     Direction N, m;     // see THEORY.md
     Square B;
-    int bond, bonds, kink, kinks;  // ranges in bonds_ and kinks_
+    int bond, bonds, kink, kinks;  // ranges [bond, bonds) in bonds_, [kink, kinks) in kinks_
   };
   /// `across`: F_own − ½ b ⊗ N, in the middle of a bond across the interface.
   struct Deformations {

@@ -46,7 +46,7 @@ struct TlMixedFields {
   bool one_sided;
   PairLanesView<Dim> pairs;                       // k_ij
   PairLanesView<Dim, Dim + 2> dissipating_pairs;  // k_ij, dp² × weights of L and of its adjoint L*
-  Strains<Dim> now, start, rate;                  // `rate`: 1/s
+  Strains<Dim> now, start, rate;                  // at the stage; at the start of the step; rates, 1/s
   ColumnsView<Dim + 1> flow;                      // v, m/s, and J
   ColumnsView<Dim * Dim> stress;                  // V P B, or P if one-sided, row by row
   ColumnsView<Dim + 1> once;                      // dp² L[(v, J)], L of corrected_laplacian.hpp

@@ -159,7 +159,7 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// [Lee2016] Algorithm 1, steps 4–7
+/// Contact forces, and rates without contact and loads. [Lee2016] Algorithm 1, steps 4–7
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();

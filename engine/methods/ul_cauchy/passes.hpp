@@ -237,7 +237,7 @@ double transport_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, 
   });
 }
 
-/// [Khayyer2024] Eq. 8, 13, 27, 29
+/// Advances ρ, s and x with ∇û and û. [Khayyer2024] Eq. 8, 13, 27, 29
 template <const UlCauchyFormulation& M, int Dim>
 void rate_pass(const UlCauchyFields<Dim>& f, const UlCauchyConstants& c, double dt, const Threads& threads) {
   using K = Kernel<M.kernel>;

@@ -68,6 +68,7 @@ double steepness(const UlSplitConstants& c) {
 
 template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const Threads& threads) {
+  // position and body in place of v and p
   parallel_for(s.size, threads, [&](int i) { s.flow[i].set(s.x[i], s.body[i], s.m[i] / s.rho[i]); });
   parallel_pass(s.size, threads, [&, kernel = PairKernel<Name, Dim>(c)](int i) {
     const Flow<Dim, Pack> here = spread_flow(s.flow[i]);
@@ -100,7 +101,7 @@ void geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c, const
   with_kernel<M>(c, [&]<KernelName Name>() { geometry_pass<M, Dim, Name>(s, c, threads); });
 }
 
-/// Departure: [Zhang2024] §5 caches pairs of two bodies, too; bodies then stick.
+/// Recomputes pairs of two bodies. Departure: [Zhang2024] §5 caches these, too; bodies then stick.
 template <const UlSplitFormulation& M, int Dim, KernelName Name>
 void contact_geometry_pass(const UlSplitFields<Dim>& s, const UlSplitConstants& c) {
   const PairKernel<Name, Dim> kernel(c);

@@ -161,7 +161,7 @@ TEST_SUITE("image") {
       frames.draw_kept([](int) { return true; });
       return render::read_png(folder / frame_name(0));
     };
-    // single precision would round by 1e-4 m
+    // single precision would round by 1e-4 m; a ring has an outer radius of 6e-4 m
     const render::ImageDifference difference = compare(frame_at(1000, 2000), frame_at(0, 0));
     CHECK(difference.share < 0.001);
   }

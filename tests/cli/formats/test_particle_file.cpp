@@ -53,7 +53,7 @@ bool unpacks(std::string_view text, std::vector<double>& values) {
   return from_zlib_blocks(text, std::as_writable_bytes(std::span(values)));
 }
 
-/// In bytes.
+/// Limits the memory of the process.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes) {

@@ -81,6 +81,7 @@ TEST_SUITE("cli") {
     std::ostringstream err;
     // a surviving run would hold the lock
     CHECK_NOTHROW(taut::cli::FolderLock(folder / "out", taut::cli::FolderLock::Of::sweep, "taut test", err));
+    // a clean end would record "interrupted"
     CHECK(json_of(folder / "out/until=1000/run.json")["status"] == "running");
   }
 

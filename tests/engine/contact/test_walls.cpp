@@ -112,6 +112,7 @@ TEST_SUITE("analytic") {
       for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::lennard_jones, ContactLaw::impulse}) {
         CAPTURE(std::string(method.name));
         CAPTURE(std::string(name(law)));
+        // finite elements support only `surface`
         if (has_elements(method)) continue;
         REQUIRE(supports(method, law));
         alone.contact = both.contact = law;

@@ -139,7 +139,7 @@ TEST_SUITE("unit") {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
       for (const auto member : spoil) {
-        if (member == &Snapshot::rho && std::isinf(bad)) continue;
+        if (member == &Snapshot::rho && std::isinf(bad)) continue;  // no solver reaches this state
         Judge judge(scene, start, support, searched);
         Snapshot now = start;
         now.p.assign(now.size(), 1);

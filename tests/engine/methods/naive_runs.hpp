@@ -37,7 +37,7 @@ inline Scene with_contact_of_particles(Scene scene, const std::string& method) {
   return scene;
 }
 
-/// In the settings, else its default, else 0.
+/// Value in the settings, else the default, else 0.
 inline double constant_of(const Settings& settings, int dim, const std::string& name) {
   const auto set = settings.constants.find(name);
   if (set != settings.constants.end()) return set->second;

@@ -52,7 +52,7 @@ double strain_energy(const Snapshot& now) {
   return std::accumulate(now.strain_energy.begin(), now.strain_energy.end(), 0.0);
 }
 
-/// Smooth displacement with strains up to 0.2.
+/// Place after a smooth displacement with strains up to 0.2.
 Point bent(const Point& x, int dim) {
   Point y{x[0] + 0.1 * std::sin(x[0] + 2 * x[1]), x[1] + 0.1 * std::cos(1.7 * x[0] + x[2]), x[2]};
   if (dim == 3) y[2] += 0.1 * std::sin(x[0] - x[1] + 2 * x[2]);

@@ -358,7 +358,7 @@ TEST_SUITE("conservation") {
     const Change printed = change(0, 0, 1.05), with_adjoint = change(0, 1, 1.05);
     CHECK(printed.linear > 1e-5);
     CHECK(printed.angular > 1e-4);
-    CHECK(with_adjoint.linear < 1e-12);
+    CHECK(with_adjoint.linear < 1e-12);  // the Laplacian of a constant is 0
     CHECK(with_adjoint.angular > 1e-6);
   }
   TEST_CASE("tl: a collision with penalty contact conserves the energy to second order in the step") {

@@ -34,7 +34,8 @@ Snapshot at_start(const Scene& scene, std::string_view method) {
   return make_simulation(scene, with_method(std::string(method)))->snapshot();
 }
 
-/// [Lee2016] §8.2: standing wave, a quarter wavelength per side.
+/// [Lee2016] §8.2: standing wave, a quarter wavelength per side; rollers at the faces through the origin, no
+/// tangential motion on the others.
 Scene swinging_cube(int dim, int n) {
   const double side = n * dp, amplitude = 1e-5 * side, wave = std::numbers::pi / (2 * side);
   Scene scene = block(side);

@@ -360,7 +360,7 @@ TEST_SUITE("unit") {
   TEST_CASE(
       "stress: in a hanging block at rest σ_yy is the weight below divided by the area, also at the clamp") {
     Scene scene = hanging(2);
-    scene.materials[0].poisson_ratio = 0;
+    scene.materials[0].poisson_ratio = 0;  // no contraction that the clamp would hinder
     scene.damping = 2e4;
     scene.probes.clear();
     for (const double y : {-0.008, -0.004, 0.0}) {

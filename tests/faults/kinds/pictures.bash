@@ -36,7 +36,7 @@ make_states() {
 # lists the file, its gnuplot script and its data
 pieces() { (cd "$ground/$name-new" && ls -d "$name" "${name%.*}.gp" "${name%.*}.dat" 2>/dev/null); }
 
-# render writes single frames, each complete
+# checks the state of all files; render writes single frames, each complete
 look() {
   local piece file
   for piece in $(pieces); do

@@ -14,7 +14,7 @@ prepare() {
   printf 'run until 0.002\nframe now.png\nsave state\n' >script
 }
 
-# a subshell, because `ulimit` cannot be undone
+# runs a command with one resource limit, in a subshell, because `ulimit` cannot be undone
 trial() {
   local work=${works[(number - 1) % ${#works[@]}]} option value
   choose n v v v u s; option=$chosen
