@@ -46,9 +46,9 @@ void check_length(const std::string& text, const Names& names) {
     const bool begins = word > 0 || !std::isdigit(static_cast<unsigned char>(text[i]));
     word = of_name && begins ? word + 1 : 0;
     if (too_long(word))
-      throw ExpressionError(
-          "a name has at most 100 letters; use a shorter name than " + in_quotes(text.substr(i - word + 1)),
-          i - word + 1);
+      throw ExpressionError("a name has at most 100 letters; use a shorter name than " +
+                                in_quotes(text.substr(i - word + 1, word)),
+                            i - word + 1);
   }
   for (const auto& name : names)
     if (too_long(name.first.size()))
@@ -111,7 +111,7 @@ void refuse_unit(const std::string& text) {
   while (rest.ends_with(' ')) rest.remove_suffix(1);
   const auto* unit = std::ranges::find(units, rest, &Unit::name);
   if (unit == std::end(units)) return;
-  throw ExpressionError(fmt::format("{} has a unit; write the number in SI units, without a unit: {}",
+  throw ExpressionError(fmt::format("{} has a unit; write the number without it, in SI units or degrees: {}",
                                     in_quotes(text), brief(value * unit->factor)),
                         static_cast<std::size_t>(rest.data() - text.data()));
 }

@@ -160,7 +160,7 @@ void preview(Session& session, const Words& words, const Dialogue& to) {
 
 void frame(Session& session, const Words& words, const Dialogue& to) {
   if (words.size() != 1) wrong_words("frame");
-  // a wrong completion must not overwrite another file
+  // Tab completes any file name
   if (const std::string wrong = png_name(words[0]); !wrong.empty()) throw UsageError(wrong);
   session.frame(words[0]);
   to.out << "file=" << words[0] << '\n';

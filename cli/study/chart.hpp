@@ -35,7 +35,7 @@ struct ChartRequest {
 struct ChartPoint {
   double spacing = 0;  // m
   std::optional<double> error;
-  bool measured = true;  // has a value
+  bool measured = true;  // false if it has no value, whatever the reference
   double cost = 0;       // s or particle-steps; 0: unknown
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown

@@ -28,7 +28,7 @@ NameList methods_in(const StoredResults& results) {
   return names;
 }
 
-/// The finest stable run with a value, for each swept scene; at a tie, the run with most steps.
+/// For each set of swept values, the finest stable run with a value; at a tie, the run with most steps.
 ChartErrors against_finest(const StoredResults& results, const std::string& method,
                            const std::string& measure) {
   ChartErrors errors{measure, {}, names_of_scene(results.runs)};
@@ -100,7 +100,7 @@ std::string nothing_charted(const StoredResults& results, const ChartRequest& re
   if (request.run)
     return fmt::format("the runs and '{}' have no measure in common with a value", request.run->file);
   if (!request.against.empty())
-    return fmt::format("no stable run of {} in the results of {} has a value to compare other runs with",
+    return fmt::format("no stable run of {} in the results of {} has a value that another run has, too",
                        request.against, results.scene);
   return fmt::format(
       "no measure in the results of {} has an error: "

@@ -32,7 +32,7 @@ long number(double length, double size) { return std::max(1L, std::lround(length
 
 double squared_length(const Point& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 
-/// Unit vector through point u on the surface of a cube with half side `largest`. Grid lines are at equal angles.
+/// Unit vector for point u on the surface of a cube with half side `largest`: evenly spaced u are at equal angles.
 Point direction(const Point& u, double largest) {
   Point way{};
   for (std::size_t k = 0; k < 3; ++k) way[k] = std::tan(0.25 * std::numbers::pi * u[k] / largest);

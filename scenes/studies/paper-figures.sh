@@ -34,8 +34,8 @@
 # COLUMNS are columns of history.csv, such as tip or total_energy, joined by commas (default: all probes); TIMES are
 # sampled times of the lines in s, joined by commas (default: all).
 #
-# FOLDER receives all files (default: out/FIGURE); SPACING is the particle spacing in m (default: as published). Uses
-# build/taut, or the program in TAUT.
+# FOLDER receives all files (default: out/FIGURE); SPACING is the particle spacing in m (default: as published, or
+# nearly so; not for lee-25). Uses build/taut, or the program in TAUT.
 set -eu
 taut=${TAUT:-$(dirname "$0")/../../build/taut}
 figure=${1:?which figure? the head of this script lists them}
@@ -161,7 +161,7 @@ case $figure in
     done
     panel 0.0083,0.0191,0.0313 560x800 ;;
   lee-23)
-    # with the default time step, a breathing mode grows in a section of two cells
+    # with three particles across, a breathing mode grows at the default time step
     field=pressure every=0.1 until=1.5 spacing=${spacing:-0.5}
     run pf-jst bending-column-3d pf-jst --set poisson_ratio=0.499 --set cfl=0.1
     run pfj-jst bending-column-3d pfj-jst --set poisson_ratio=0.499 --set cfl=0.1 --set method.eps_J4=0.125

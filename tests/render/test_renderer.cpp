@@ -243,7 +243,7 @@ TEST_SUITE("image") {
   }
 
   TEST_CASE("a disc with a radius of two pixels or more has its size, and a smaller disc is drawn larger") {
-    // drawn radius: r from 2 pixels on, √2 r + ¼ up to 1 pixel, interpolated between
+    // drawn radius: r from 2 pixels on, √2 r + ¼ up to 1 pixel; in between both formulas are blended
     for (const auto& [radius, drawn_as] :
          {std::pair{0.8, 1.38137}, {1.0, 1.66421}, {1.5, 1.93566}, {2.0, 2.0}, {3.0, 3.0}, {6.0, 6.0}}) {
       const auto& radius_now = radius;

@@ -33,7 +33,7 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
   make_pairs(input);
   flow_.resize(p_.size());
   stress_.resize(p_.size());
-  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // packs begin at any particle
+  a_.resize(p_.size() + lanes), a_start_.resize(p_.size());  // the projection begins packs at any particle
   dissipation_J_.resize(p_.size() + lanes);
   make_strains();
   f_ = {.size = p_.size(),
@@ -159,7 +159,7 @@ void TlMixed<Dim>::step(double dt) {
   common_.finish_step(dt);
 }
 
-/// Contact forces, and rates without contact and loads. [Lee2016] Algorithm 1, steps 4–7
+/// Internal rates and, apart from them, contact forces. [Lee2016] Algorithm 1, steps 4–7
 template <int Dim>
 void TlMixed<Dim>::find_rates(double dt) {
   const int threads = common_.threads_now();

@@ -202,7 +202,7 @@ TEST_SUITE("unit") {
     CHECK(whole == Approx(0.32));
     CHECK(length(body.surface.undeformed()) == Approx(0.32));
     for (std::size_t i = 0; i < body.shown.size(); ++i)
-      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // centres of the columns beside the gap: 6 spacings
+      if (x[2 * i] > 0.05) x[2 * i] += 0.05;  // columns 6 spacings apart
     const SurfaceShape torn = body.at(x);
     CHECK(torn.loose.empty());
     CHECK(length(torn.outline) > whole + 0.03);
