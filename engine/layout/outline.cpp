@@ -16,7 +16,7 @@ bool any_holds(const std::vector<Shape>& shapes, const Point& x, double toleranc
   return std::ranges::any_of(shapes, [&](const Shape& shape) { return shape->holds(x, 2, tolerance); });
 }
 
-/// Of coincident faces, the first is kept.
+/// The first of coincident faces is kept.
 bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, const Point& middle,
              double dp) {
   const double thin = 1e-6 * dp;
