@@ -27,8 +27,8 @@ std::optional<Verdict> find_verdict(std::string_view name);
 std::vector<std::string> names_of_verdicts();
 std::vector<std::string> names_of_failures();
 
-/// Hourglass errors of runs of [Zhang2024], [Khayyer2024] and [Lee2016]: below 0.012 if the paper's figures are smooth,
-/// above 0.04 if they show zigzags.
+/// Hourglass errors of runs of [Zhang2024], [Khayyer2024] and [Lee2016] are below 0.012 if the paper's figures are
+/// smooth, and above 0.04 if they show zigzags.
 inline constexpr double hourglass_threshold = 0.03;
 
 /// Bonds stretched beyond the range of the method's elastic law.

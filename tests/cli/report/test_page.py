@@ -423,17 +423,14 @@ def check_orbit(browser, taut, folder):
 
     view = browser.one(".orbit canvas")
     browser.script("arguments[0].scrollIntoView({block: 'center'})", view)
-    ActionChains(browser.driver).move_to_element(view).click_and_hold().move_by_offset(80, 30).release().perform()
-    changes("dragging")
+    for name in ("Turn right", "Raise"): browser.button(name).click()
+    changes("turning")
     browser.button("Reset view").click()
-    browser.button("Turn right").click()
-    turned = picture()
-    browser.button("Reset view").click()
-    ActionChains(browser.driver).move_to_element(view).click_and_hold().move_by_offset(30, 0).release().perform()
-    assert picture() == turned, "dragging to the right by 30 px turns like the button"
-    near = browser.script("const orbit = new Orbit(taut_particles[0]), near = orbit.axes()[2]; orbit.turned += 0.1; orbit.raised += 0.1;"
-                          "return orbit.axes().map((axis) => axis.reduce((sum, x, k) => sum + x * near[k], 0))")
-    assert near[0] > 0 and near[1] < 0, near  # the near side moves to the right and down
+    ActionChains(browser.driver).move_to_element(view).click_and_hold().move_by_offset(30, 30).release().perform()
+    assert picture() == seen[-1], "dragging by 30 px to the right and down is like both buttons"
+    assert browser.script("const orbit = new Orbit(taut_particles[0]), near = orbit.axes()[2]; orbit.turned += 0.1; orbit.raised += 0.1;"
+                          "const [right, up] = orbit.axes().map((axis) => axis.reduce((sum, x, k) => sum + x * near[k], 0));"
+                          "return right > 0 && up < 0"), "the near side moves to the right and down"
     view.send_keys(Keys.ARROW_LEFT)
     changes("an arrow key turns")
     assert frame_of(browser) == "frame_00000.png"  # turning does not change the frame
