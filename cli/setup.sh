@@ -10,13 +10,18 @@ test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-
 
 fail() { echo "$0: $*" >&2; exit 1; }
 
-# Prints a package per line.
+# Prints a package per line. Mesa 25.1 and later have no OSMesa; there, EGL replaces it.
 missing_packages() {
   local installed
+  if [[ " $* " == *" libosmesa6-dev "* ]] && is_known libegl-dev && ! is_known libosmesa6-dev; then
+    set -- "${@/libosmesa6-dev/libegl-dev}" libopengl-dev libgl1-mesa-dri
+  fi
   installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null |
               sed -n 's/ installed$//p') || true
   printf '%s\n' "$@" | grep -vxF -e "${installed:-none}" || true
 }
+
+is_known() { apt-cache show --no-all-versions "$@" >/dev/null 2>&1; }
 
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
@@ -34,10 +39,10 @@ install_packages() {
 and then run this script again."
     apt=(sudo "${apt[@]}")
   fi
-  local install=("${apt[@]}" install -y --no-install-recommends "${missing[@]}")
+  local install=("${apt[@]}" install -y --no-install-recommends)
   # fails if the package lists are missing or old
-  if apt-cache show --no-all-versions "${missing[@]}" >/dev/null 2>&1 && "${install[@]}"; then return; fi
-  "${apt[@]}" update && "${install[@]}" || fail "apt-get could not install ${missing[*]}; its messages are above"
+  if is_known "${missing[@]}" && "${install[@]}" "${missing[@]}"; then return; fi
+  "${apt[@]}" update && mapfile -t missing < <(missing_packages "$@") && "${install[@]}" "${missing[@]}" || fail "apt-get could not install ${missing[*]}; its messages are above"
 }
 
 # is_configured FOLDER [-DNAME=VALUE...]: whether FOLDER was configured from this source folder with these options.
