@@ -176,6 +176,7 @@ void describe_scene(const std::string& name, std::ostream& out) {
 
 Rows::value_type constant_row(const MethodConstant& c, const std::vector<MethodConstant>& in_3d) {
   std::string value = brief(c.value), range = bounds(c.low, c.high);
+  if (c.is_switch) range = "0 or 1";
   if (!c.choices.empty()) {
     value = c.choices.front();
     range = join({c.choices.begin(), c.choices.end()});

@@ -236,6 +236,8 @@ Json constant_schema(const MethodConstant& constant, const std::vector<MethodCon
     return {{"description", constant.help},
             {"default", constant.choices.front()},
             {"enum", Keys(constant.choices.begin(), constant.choices.end())}};
+  if (constant.is_switch)
+    return {{"description", constant.help}, {"default", constant.value}, {"enum", array_of({0, 1})}};
   NumberRange bounds{constant.low, constant.high};
   const auto other = std::ranges::find(in_3d, constant.name, &MethodConstant::name);
   if (other != in_3d.end()) bounds = {std::min(bounds.low, other->low), std::max(bounds.high, other->high)};

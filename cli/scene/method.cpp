@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -47,11 +48,13 @@ std::vector<std::string> names_of_choices(const MethodConstant& constant) {
 }
 
 std::string bounds_text(const MethodConstant& constant) {
-  return fmt::format("; allowed: {} to {}", exact(constant.low), exact(constant.high));
+  return fmt::format("; allowed: {} {} {}", exact(constant.low), constant.is_switch ? "or" : "to",
+                     exact(constant.high));
 }
 
 bool within_bounds(const MethodConstant& constant, double value) {
-  return value >= constant.low && value <= constant.high;
+  return value >= constant.low && value <= constant.high &&
+         (!constant.is_switch || value == std::floor(value));
 }
 
 const MethodInfo& file_method(TomlCursor& root) {

@@ -40,7 +40,12 @@ struct MethodConstant {
   bool in_spacings = false;
   bool at_set_up = false;                          // fixed during a run
   std::span<const std::string_view> choices = {};  // names of 0, 1, …, the default first; empty: a number
+  bool is_switch = false;                          // only 0 or 1
 };
+
+inline MethodConstant switch_constant(std::string_view name, double value, std::string_view help) {
+  return {.name = name, .value = value, .low = 0, .high = 1, .help = help, .is_switch = true};
+}
 
 template <class C>
 struct ConstantRow {

@@ -64,8 +64,9 @@ std::vector<ConstantRow<TlMixedConstants>> constants(const TlMixedFormulation& m
                {"projection", 1.0, 0.0, 1.0, "1: projects forces to conserve both momenta; 0: does not"}});
   c.push_back(
       {&C::boundary_projection,
-       {"boundary_projection", 0.0, 0.0, 1.0,
-        "1: kernel sums of velocities satisfy the conditions at clamped and prescribed particles; 0: they do not"}});
+       switch_constant("boundary_projection", 0,
+                       "1: kernel sums of velocities have the values of clamped and prescribed particles; "
+                       "0: they do not")});
   return c;
 }
 

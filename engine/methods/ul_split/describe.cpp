@@ -40,9 +40,10 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
         "share of (p_i − p_j)/(2 ρ0 c0) in U*: 1 as in a linearised Riemann solver, "
         "0 leaves it out, as the authors' program does"}},
       {&C::cfl_advection,
-       {"cfl_advection", m.cfl_advection, 1e-3, 1.0, "distance over h between rebuilds (Eq. 21)"}},
+       {"cfl_advection", m.cfl_advection, 1e-3, 1.0,
+        "dual stepping: distance over h between rebuilds (Eq. 21)"}},
       {&C::cubic_spline,
-       {"cubic_spline", 0.0, 0.0, 1.0, "kernel: 0 Wendland C2 as published, 1 cubic B-spline"}},
+       switch_constant("cubic_spline", 0, "kernel: 0 Wendland C2 as published, 1 cubic B-spline")},
   };
   if (m.shear == Shear::laplacian_velocity)
     c.push_back({&C::zeta,
@@ -55,9 +56,9 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
   if (m.central_penalty)
     c.push_back(
         {&C::penalty_rotation,
-         {"penalty_rotation", 0.0, 0.0, 1.0,
-          "1 rotates the accumulated penalty with the spin of each particle, as the first public version does; "
-          "linear momentum then changes"}});
+         switch_constant("penalty_rotation", 0,
+                         "1 rotates the accumulated penalty with the spin, as the first public version does; "
+                         "linear momentum then changes")});
   if (m.artificial_stress) {
     c.push_back({&C::epsilon, {"epsilon", m.epsilon, 0.0, 10.0, "ε of the artificial stress"}});
     c.push_back({&C::exponent, {"exponent", m.exponent, 0.0, 20.0, "n of the artificial stress"}});

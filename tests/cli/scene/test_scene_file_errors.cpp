@@ -215,6 +215,8 @@ TEST_SUITE("cli") {
                 {"no constant 'zta'", "'zeta'"});
     check_error("until = 2", "until = 2\nmethod = \"enog\"\nmethod_constants = { zeta = @-4 }",
                 {"zeta = -4 is out of bounds", "allowed: "});
+    check_error("until = 2", "until = 2\nmethod = \"enog\"\nmethod_constants = { cubic_spline = @0.5 }",
+                {"cubic_spline = 0.5 is out of bounds; allowed: 0 or 1"});
     check_error("until = 2",
                 "until = 2\nmethod = \"ulsph-r-tic\"\nmethod_constants = { limiter = @\"minmd\" }",
                 {"unknown limiter 'minmd'", "'minmod'"});
