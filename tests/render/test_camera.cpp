@@ -7,6 +7,7 @@
 #include "tests/support/relative.hpp"
 
 using namespace taut::render;
+using taut::test::Approx;
 
 namespace {
 
