@@ -1,6 +1,7 @@
 #include "engine/methods/bonded/describe.hpp"
 
 #include "engine/methods/bonded/bond_sums.hpp"
+#include "engine/methods/bonded/clamp_cells.hpp"
 #include "engine/methods/bonded/interface_sites.hpp"
 #include "engine/terms/contact_laws.hpp"
 
@@ -14,8 +15,8 @@ constexpr TermInfo time_info{
 }  // namespace
 
 std::vector<TermInfo> terms(const BondedFormulation& m) {
-  return {bond_energy_info, bond_force_info,     cancelled_info,          stress_info,
-          interface_info,   bonded_damping_info, contact_info(m.contact), time_info};
+  return {bond_energy_info, bond_force_info,     cancelled_info,          stress_info, interface_info,
+          clamp_cell_info,  bonded_damping_info, contact_info(m.contact), time_info};
 }
 
 std::vector<ConstantRow<BondedConstants>> constants(const BondedFormulation& m, int dim) {

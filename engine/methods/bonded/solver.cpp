@@ -23,7 +23,8 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
       constraints_(setup.bonds.constraints),
       wave_speed_(setup.wave_speed),
       bonds_(stored(setup)),
-      interfaces_(setup, p_.id) {
+      interfaces_(setup, p_.id),
+      clamp_cells_(setup, p_.id) {
   common_.run.lawful_stretch = std::sqrt(cancelled_range<Dim>[1]);
   common_.run.pairs = static_cast<long>(setup.bonds.j.size());
   for (int i = 0; i < p_.size(); ++i) {
@@ -166,6 +167,7 @@ void Bonded<Dim>::step(double dt) {
   common_.contact.evaluate(p_, dt, threads);
   stiffest_ = kernels_.stresses(f_, threads);
   interfaces_.pass(p_.x, law_of_one(), threads, Q_, bond_force_);
+  clamp_cells_.pass(p_.x, law_of_one(), threads, Q_);
   if (clamps_.has_driven() || common_.external.reactions.active()) pull_at_clamps();
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
   common_.set_greatest_speed(kernels_.forces(f_, kick, threads));
@@ -219,8 +221,7 @@ bool Bonded<Dim>::show_motion(Snapshot& out) const {
   kernels_.energies(fields_now(places), energies.data(), common_.threads_now());
   parallel_for(p_.size(), common_.threads_now(), [&](int i) {
     common_.store_motion(out, i);
-    out.strain_energy[p_.id[i]] =
-        energies[i / lanes].value[i % lanes] + interfaces_.energy_of_kink(i, p_.x, law_of_one());
+    out.strain_energy[p_.id[i]] = energies[i / lanes].value[i % lanes] + energy_change(i);
   });
   return true;
 }
@@ -241,7 +242,7 @@ void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
   parallel_for(count, threads, [&](int k) {
     const auto& [stress, energy] = shown[k];
     for (int i = lanes * groups[k], lane = 0; lane < lanes && i < p_.size(); ++i, ++lane) {
-      out.strain_energy[p_.id[i]] = energy[lane] + interfaces_.energy_of_kink(i, p_.x, law_of_one());
+      out.strain_energy[p_.id[i]] = energy[lane] + energy_change(i);
       Sym<double, Dim> s;
       for (int c = 0; c < Sym<double, Dim>::size; ++c) s.c[c] = stress.s.c[c][lane];
       common_.store(out, i, materials_[material_[i]].rho0 / stress.J[lane], stress.p[lane], s,
