@@ -64,8 +64,19 @@ void Canvas::fill(double x, double y, double width, double height) {
 void Canvas::text(const std::string& text, double x, double y, Align align) {
   if (text.empty()) return;
   const double share = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
-  cairo_move_to(cairo_.get(), x - share * width_of(text), y);
-  cairo_show_text(cairo_.get(), text.c_str());
+  cairo_glyph_t* glyphs = nullptr;
+  int count = 0;
+  cairo_scaled_font_text_to_glyphs(cairo_get_scaled_font(cairo_.get()), x - share * width_of(text), y,
+                                   text.c_str(), static_cast<int>(text.size()), &glyphs, &count, nullptr,
+                                   nullptr, nullptr);
+  // Cairo before 1.17.4 rounds to whole pixels, later versions to quarters
+  for (int k = 0; k < count; ++k) {
+    cairo_user_to_device(cairo_.get(), &glyphs[k].x, &glyphs[k].y);
+    glyphs[k].x = std::round(glyphs[k].x), glyphs[k].y = std::round(glyphs[k].y);
+    cairo_device_to_user(cairo_.get(), &glyphs[k].x, &glyphs[k].y);
+  }
+  cairo_show_glyphs(cairo_.get(), glyphs, count);
+  cairo_glyph_free(glyphs);
 }
 
 void Canvas::turned_text(const std::string& words, double x, double y) {
