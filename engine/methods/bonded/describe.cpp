@@ -1,7 +1,7 @@
 #include "engine/methods/bonded/describe.hpp"
 
 #include "engine/methods/bonded/bond_sums.hpp"
-#include "engine/methods/bonded/clamp_cells.hpp"
+#include "engine/methods/bonded/half_cells.hpp"
 #include "engine/methods/bonded/interface_sites.hpp"
 #include "engine/terms/contact_laws.hpp"
 
@@ -16,7 +16,7 @@ constexpr TermInfo time_info{
 
 std::vector<TermInfo> terms(const BondedFormulation& m) {
   return {bond_energy_info, bond_force_info,     cancelled_info,          stress_info, interface_info,
-          clamp_cell_info,  bonded_damping_info, contact_info(m.contact), time_info};
+          half_cell_info,   bonded_damping_info, contact_info(m.contact), time_info};
 }
 
 std::vector<ConstantRow<BondedConstants>> constants(const BondedFormulation& m, int dim) {

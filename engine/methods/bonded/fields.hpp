@@ -66,7 +66,7 @@ struct BondedFields {
 template <int Dim>
 struct alignas(sizeof(Pack)) ShownGroup {
   ShownStress<Pack, Dim> stress;
-  Pack energy;  // in J, without the interface terms
+  Pack energy;  // in J, without interfaces and half cells
 };
 
 }  // namespace taut

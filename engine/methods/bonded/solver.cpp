@@ -24,7 +24,7 @@ Bonded<Dim>::Bonded(Common<Dim>& common, const SolverInput& input, const Kernels
       wave_speed_(setup.wave_speed),
       bonds_(stored(setup)),
       interfaces_(setup, p_.id),
-      clamp_cells_(setup, p_.id) {
+      half_cells_(setup, p_.id) {
   common_.run.lawful_stretch = std::sqrt(cancelled_range<Dim>[1]);
   common_.run.pairs = static_cast<long>(setup.bonds.j.size());
   for (int i = 0; i < p_.size(); ++i) {
@@ -167,7 +167,7 @@ void Bonded<Dim>::step(double dt) {
   common_.contact.evaluate(p_, dt, threads);
   stiffest_ = kernels_.stresses(f_, threads);
   interfaces_.pass(p_.x, law_of_one(), threads, Q_, bond_force_);
-  clamp_cells_.pass(p_.x, law_of_one(), threads, Q_);
+  half_cells_.pass(p_.x, law_of_one(), threads, Q_);
   if (clamps_.has_driven() || common_.external.reactions.active()) pull_at_clamps();
   const Kick<Dim> kick = common_.kick(dt, common_.run.time + dt);
   common_.set_greatest_speed(kernels_.forces(f_, kick, threads));
@@ -243,10 +243,13 @@ void Bonded<Dim>::show(Snapshot& out, std::span<const int> groups) const {
     const auto& [stress, energy] = shown[k];
     for (int i = lanes * groups[k], lane = 0; lane < lanes && i < p_.size(); ++i, ++lane) {
       out.strain_energy[p_.id[i]] = energy[lane] + energy_change(i);
-      Sym<double, Dim> s;
-      for (int c = 0; c < Sym<double, Dim>::size; ++c) s.c[c] = stress.s.c[c][lane];
-      common_.store(out, i, materials_[material_[i]].rho0 / stress.J[lane], stress.p[lane], s,
-                    stress.s_zz[lane]);
+      ShownStress<double, Dim> one{stress.J[lane], stress.p[lane], {}, stress.s_zz[lane]};
+      for (int c = 0; c < Sym<double, Dim>::size; ++c) one.s.c[c] = stress.s.c[c][lane];
+      if (half_cells_.contains(i))
+        one = laws_.visit(material_[i], [&](const auto& law) {
+          return shown_stress(law, half_cells_.deformation_at(i, p_.x));
+        });
+      common_.store(out, i, materials_[material_[i]].rho0 / one.J, one.p, one.s, one.s_zz);
     }
   });
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/core/shared_rows.hpp"
-#include "engine/methods/bonded/clamp_cells.hpp"
 #include "engine/methods/bonded/clamps.hpp"
+#include "engine/methods/bonded/half_cells.hpp"
 #include "engine/methods/bonded/interface_sites.hpp"
 #include "engine/methods/bonded/kernels.hpp"
 #include "engine/methods/bonded/layout/recovered_gradient.hpp"
@@ -58,10 +58,10 @@ class Bonded final : public Scheme<Dim> {
   BondedFields<Dim> fields_now(Columns<2 * Dim>& places) const;
   int group_count() const { return (p_.size() + lanes - 1) / lanes; }
   LawOfOne law_of_one() const { return {materials_, uses_group_law_, laws_}; }
-  /// Energy of particle i beyond that of the kernels, J.
+  /// Energy of particle i that the kernels leave out (interfaces, half cells), J.
   double energy_change(int i) const {
     return interfaces_.energy_of_kink(i, p_.x, law_of_one()) +
-           clamp_cells_.energy_change(i, p_.x, law_of_one());
+           half_cells_.energy_change(i, p_.x, law_of_one());
   }
 
   const Kernels& kernels_;
@@ -81,7 +81,7 @@ class Bonded final : public Scheme<Dim> {
   std::vector<GroupRows> groups_;
   AnyBonds bonds_;
   InterfaceSites<Dim> interfaces_;
-  ClampCells<Dim> clamp_cells_;
+  HalfCells<Dim> half_cells_;
   Clamps<Dim> clamps_;
   Columns<2 * Dim> places_;
   Columns<Dim * Dim> Q_;

@@ -41,7 +41,7 @@ std::vector<ConstantRow<UlSplitConstants>> constants(const UlSplitFormulation& m
         "0 leaves it out, as the authors' program does"}},
       {&C::cfl_advection,
        {"cfl_advection", m.cfl_advection, 1e-3, 1.0,
-        "dual stepping: distance over h between rebuilds (Eq. 21)"}},
+        "distance between rebuilds, in h; for dual stepping (Eq. 21)"}},
       {&C::cubic_spline,
        switch_constant("cubic_spline", 0, "kernel: 0 Wendland C2 as published, 1 cubic B-spline")},
   };
