@@ -5,7 +5,7 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libosmesa6-dev li
                 libedit-dev libchafa-dev libglib2.0-dev libpolyclipping-dev libqhull-dev libjs-chart.js libwebp-dev
                 libassimp-dev gnuplot-nox librsvg2-bin)
 # libegl-dev to libgl1-mesa-dri: second OpenGL context; chromium to python3-selenium: tests in a browser
-test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-dev libegl-dev libopengl-dev
+test_packages=(doctest-dev help2man python3-junitparser python3-jsonschema dpkg-dev file libegl-dev libopengl-dev
                libgl1-mesa-dri chromium chromium-driver python3-selenium)
 
 fail() { echo "$0: $*" >&2; exit 1; }

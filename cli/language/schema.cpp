@@ -264,7 +264,8 @@ Json checks_of_methods() {
     for (const LawRow& law : laws())
       if (!law.choice.empty() && reason_against_law(method, law.choice).empty())
         laws_of_method.emplace_back(law.choice);
-    Json law = laws_of_method.empty() ? Json(false) : Json{{"enum", laws_of_method}};
+    // not `false`: for that, python3-jsonschema 4.19 does not name the key
+    Json law = laws_of_method.empty() ? Json{{"not", Json::object()}} : Json{{"enum", laws_of_method}};
     Json link{
         {"if", is_method},
         {"then", Json{{"properties", Json{{"method_constants", constants_schema(method)}, {"law", law}}}}}};
