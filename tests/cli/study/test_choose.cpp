@@ -214,22 +214,23 @@ TEST_SUITE("cli") {
       return call(more);
     };
     CHECK(contains(choose({}).err, "has an error"));
-    const Outcome by_method = choose({"--against", "tl"});
-    CAPTURE(by_method.err);
-    CHECK(by_method.code == 0);
-    CHECK(contains(by_method.out, "oenog"));
+    const auto touch_time = [](const fs::path& of) {
+      return json_of(of / "run.json")["measures"]["touch_time"]["value"].get<double>();
+    };
+    const auto check_errors = [&](const std::string& against, double reference) {
+      const Outcome outcome = choose({"--against", against, "--json"});
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      const auto answer = nlohmann::json::parse(outcome.out);
+      REQUIRE(answer["runs"].size() > 0);
+      for (const auto& offer : answer["runs"]) {
+        const double value = touch_time(offer["folder"].get<std::string>());
+        CHECK(offer["error"].get<double>() == relative(std::abs(value - reference) / reference));
+      }
+    };
+    check_errors("tl", touch_time(folder / "sweep/method=tl_spacing=0.001"));
     run("fine", {"--spacing", "0.0005", "--method", "tl"});
-    const Outcome by_run = choose({"--against", folder.str("fine"), "--json"});
-    CAPTURE(by_run.err);
-    REQUIRE(by_run.code == 0);
-    const double reference = json_of(folder / "fine/run.json")["measures"]["touch_time"]["value"];
-    const auto answer = nlohmann::json::parse(by_run.out);
-    REQUIRE(answer["runs"].size() > 0);
-    for (const auto& offer : answer["runs"]) {
-      const double value = json_of(fs::path(offer["folder"].get<std::string>()) /
-                                   "run.json")["measures"]["touch_time"]["value"];
-      CHECK(offer["error"].get<double>() == relative(std::abs(value - reference) / reference));
-    }
+    check_errors(folder.str("fine"), touch_time(folder / "fine"));
     run("fast", {"--set", "speed=3", "--method", "tl"});
     CHECK(contains(choose({"--against", folder.str("fast")}).err, "has speed = 3, not 2"));
     CHECK(choose({"--against", folder.str("nothing")}).code == 2);
