@@ -28,7 +28,7 @@ std::vector<SuiteEntry> chosen(const SuiteFile& suite, const SuiteOptions& optio
     if (entry.is_control() && !options.only.empty())
       throw UsageError("'" + entry.name + "' is a control without a baseline of its own; update '" +
                        entry.differs_from + "', from which it differs");
-  std::erase_if(entries, &SuiteEntry::is_control);
+  std::erase_if(entries, [](const SuiteEntry& entry) { return entry.is_control(); });
   return entries;
 }
 
