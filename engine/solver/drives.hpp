@@ -66,6 +66,11 @@ class Drives {
     v = given;
   }
 
+  /// `work` in J.
+  void add_work(int id, double work) {
+    if (moves(id)) work_[id] += work;
+  }
+
   /// Since the start, J.
   double work(int id) const { return work_.empty() ? 0 : work_[id]; }
   double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }

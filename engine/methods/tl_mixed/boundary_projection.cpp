@@ -1,35 +1,13 @@
 #include "engine/methods/tl_mixed/boundary_projection.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 
-#include "engine/core/least_squares.hpp"
 #include "engine/error.hpp"
 
 namespace taut {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-Eigen::Vector3d vector(const Point& p) { return {p[0], p[1], p[2]}; }
-
-/// Column m is e_m × z.
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& z) {
-  Eigen::Matrix3d m;
-  m << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
-  return m;
-}
-
-void refer_to_centroid(std::vector<Point>& Z, const std::vector<double>& m) {
-  Point sum{};
-  double mass = 0;
-  for (std::size_t a = 0; a < Z.size(); ++a) {
-    mass += m[a];
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += m[a] * Z[a][k];
-  }
-  for (Point& z : Z)
-    for (std::size_t k = 0; k < 3; ++k) z[k] -= sum[k] / mass;
-}
 
 }  // namespace
 
@@ -68,54 +46,20 @@ BoundaryProjection::BoundaryProjection(std::vector<BoundaryPoint> points, std::v
   }
 }
 
-Point BoundaryProjection::interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const {
-  Point sum{};
-  for (const auto& [a, w] : point.w)
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += w * f[a][k];
-  return sum;
-}
-
-/// r_C contains r and C of THEORY.md, S becomes A − Cᵀ K⁻¹ C.
-void BoundaryProjection::operator()(std::vector<Point>& v, std::vector<Point> Z) const {
-  refer_to_centroid(Z, m_);  // (iii) holds about any origin
-  Eigen::Matrix<double, 6, 6> S = Eigen::Matrix<double, 6, 6>::Zero();
-  for (std::size_t a = 0; a < v.size(); ++a) {
-    const Eigen::Matrix3d turn = cross_matrix(vector(Z[a]));
-    S.topLeftCorner<3, 3>().diagonal().array() += m_[a];
-    S.topRightCorner<3, 3>() += m_[a] * turn;
-    S.bottomRightCorner<3, 3>() += m_[a] * turn.transpose() * turn;
-  }
-  S.bottomLeftCorner<3, 3>() = S.topRightCorner<3, 3>().transpose();
-  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-  std::array<Eigen::MatrixXd, 3> solved;  // K⁻¹ of r and C
-  for (int k = 0; k < 3; ++k) {
-    const auto& points = factors_[k].points;
-    if (points.empty()) continue;
-    Eigen::MatrixXd r_C = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), 7);
-    for (int row = 0; row < r_C.rows(); ++row) {
-      const BoundaryPoint& point = points_[points[row]];
-      r_C(row, 0) = point.velocity[k] - interpolated(point, v)[k];
-      double one = 0;
-      for (const auto& [a, w] : point.w) one += w;
-      r_C(row, 1 + k) = one;
-      r_C.row(row).tail<3>() = cross_matrix(vector(interpolated(point, Z))).row(k);
-    }
-    solved[k] = factors_[k].K->solve(r_C);
-    const auto C = r_C.rightCols<6>();
-    S -= C.transpose() * solved[k].rightCols<6>();
-    right -= C.transpose() * solved[k].col(0);
-  }
-  // minimum norm, since S is singular if all particles are prescribed
-  const Eigen::Matrix<double, 6, 1> delta = least_squares(S, right).x;
-  for (std::size_t a = 0; a < v.size(); ++a) {
-    const Eigen::Vector3d rigid = delta.head<3>() + cross_matrix(vector(Z[a])) * delta.tail<3>();
-    for (std::size_t k = 0; k < 3; ++k) v[a][k] += rigid[static_cast<Eigen::Index>(k)];
-  }
+std::vector<Point> BoundaryProjection::operator()(std::vector<Point>& v) const {
+  std::vector<Point> impulses(points_.size(), Point{});
   for (std::size_t k = 0; k < 3; ++k) {
-    if (factors_[k].points.empty()) continue;
-    const Eigen::VectorXd change = factors_[k].w * (solved[k].col(0) - solved[k].rightCols<6>() * delta);
-    for (std::size_t a = 0; a < v.size(); ++a) v[a][k] += change[static_cast<Eigen::Index>(a)] / m_[a];
+    const auto& [points, w, K] = factors_[k];
+    if (points.empty()) continue;
+    Eigen::VectorXd v_k(w.rows()), r(w.cols());
+    for (Eigen::Index a = 0; a < w.rows(); ++a) v_k[a] = v[a][k];
+    for (Eigen::Index B = 0; B < w.cols(); ++B) r[B] = points_[points[B]].velocity[k];
+    r -= w.transpose() * v_k;
+    const Eigen::VectorXd beta = K->solve(r), change = w * beta;
+    for (Eigen::Index B = 0; B < w.cols(); ++B) impulses[points[B]][k] = beta[B];
+    for (Eigen::Index a = 0; a < w.rows(); ++a) v[a][k] += change[a] / m_[a];
   }
+  return impulses;
 }
 
 }  // namespace taut

@@ -16,8 +16,9 @@ struct BoundaryPoint {
   Point velocity{};                       // m/s
 };
 
-/// Changes v least, weighted by mass, so that interpolated velocities are the prescribed ones, [Lee2016] Appendix B
-/// (THEORY.md). Conserves both momenta. Set boundary particles to their prescribed velocities first.
+/// Changes v least, weighted by mass, so that interpolated velocities are the prescribed ones (THEORY.md). Departures
+/// from [Lee2016] Appendix B and step 8 of Algorithm 1: momenta may change, and boundary particles keep velocities of
+/// their own; otherwise a boundary at rest does work.
 class BoundaryProjection {
  public:
   /// `m` in kg. Throws SceneError if the conditions at the points are linearly dependent.
@@ -25,11 +26,10 @@ class BoundaryProjection {
   ~BoundaryProjection();
   BoundaryProjection(BoundaryProjection&&) noexcept;
 
-  /// `v` in m/s, positions `Z` in m.
-  void operator()(std::vector<Point>& v, std::vector<Point> Z) const;
+  /// `v` in m/s. Returns the impulses of the boundary at each point, N s.
+  std::vector<Point> operator()(std::vector<Point>& v) const;
   /// Callers may change only the velocities.
   std::vector<BoundaryPoint>& points() { return points_; }
-  Point interpolated(const BoundaryPoint& point, const std::vector<Point>& f) const;
 
  private:
   struct Factor;
@@ -40,9 +40,8 @@ class BoundaryProjection {
 };
 
 inline constexpr TermInfo boundary_projection_info{
-    "boundary",
-    "nearest velocities with v(X_B) = v_B and unchanged Σ m v, Σ m Z × v; with boundary_projection = 1",
-    "[Lee2016] Appendix B", "methods/tl_mixed/boundary_projection.hpp:BoundaryProjection",
-    "boundary projection: boundary points get prescribed velocities, and momenta are conserved"};
+    "boundary", "nearest velocities with v(X_B) = v_B; with boundary_projection = 1", "[Lee2016] Appendix B",
+    "methods/tl_mixed/boundary_projection.hpp:BoundaryProjection",
+    "boundary projection: boundary points get prescribed velocities by impulses at them"};
 
 }  // namespace taut

@@ -51,11 +51,13 @@ class PrescribedBoundary {
     bodies_.clear();
     for (std::size_t b = 0; b + 1 < first.size(); ++b) {
       std::vector<int> points, particles, index(V0.size(), -1);
+      std::vector<Weights> weights;
       std::vector<BoundaryPoint> seen;
       for (int i = first[b]; i < first[b + 1]; ++i) {
         if (axes_[i] == 0) continue;
         points.push_back(i);
-        seen.push_back({corrected_kernel<K>(pairs, X, V0, h, i), axes_[i], {}});
+        weights.push_back(corrected_kernel<K>(pairs, X, V0, h, i));
+        seen.push_back({weights.back(), axes_[i], {}});
         for (auto& [a, w] : seen.back().w) {
           if (index[a] < 0) {
             index[a] = static_cast<int>(particles.size());
@@ -67,42 +69,43 @@ class PrescribedBoundary {
       if (points.empty()) continue;
       std::vector<double> masses;
       for (const int a : particles) masses.push_back(m[a]);
-      bodies_.push_back({points, particles, BoundaryProjection(std::move(seen), std::move(masses))});
+      bodies_.push_back({points, weights, particles, BoundaryProjection(std::move(seen), std::move(masses))});
     }
   }
 
-  /// Sets prescribed components of v to given(i), in m/s, then projects.
-  template <class Velocity, class Given, class Place>
-  void project(const Velocity& v, const Given& given, const Place& x) {
+  /// Projects velocities v(i) on the prescribed given(i), in m/s. Then calls use(i, impulse, weights) for each prescribed
+  /// particle: particle a of `weights` has received w_a times the impulse, in N s.
+  template <class Velocity, class Given, class Use>
+  void project(const Velocity& v, const Given& given, const Use& use) {
     for (Body& body : bodies_) {
-      for (std::size_t p = 0; p < body.points.size(); ++p) {
-        const V prescribed = given(body.points[p]);
-        BoundaryPoint& point = body.projection.points()[p];
-        for (int k = 0; k < Dim; ++k) {
-          point.velocity[k] = prescribed[k];
-          if (point.axes >> k & 1) v(body.points[p])[k] = prescribed[k];
-        }
-      }
-      std::vector<Point> velocities, places;
-      for (const int a : body.particles) {
-        velocities.push_back(point_of(v(a)));
-        places.push_back(point_of(x(a)));
-      }
-      body.projection(velocities, places);
-      for (std::size_t a = 0; a < body.particles.size(); ++a)
-        for (int k = 0; k < Dim; ++k) v(body.particles[a])[k] = velocities[a][k];
+      for (std::size_t p = 0; p < body.points.size(); ++p)
+        body.projection.points()[p].velocity = point_of(given(body.points[p]));
+      std::vector<Point> velocities;
+      for (const int a : body.particles) velocities.push_back(point_of(v(a)));
+      const std::vector<Point> impulses = body.projection(velocities);
+      for (std::size_t a = 0; a < body.particles.size(); ++a) v(body.particles[a]) = vector_of(velocities[a]);
+      for (std::size_t p = 0; p < body.points.size(); ++p)
+        use(body.points[p], vector_of(impulses[p]), body.weights[p]);
     }
   }
 
  private:
+  using Weights = std::vector<std::pair<int, double>>;
   struct Body {
-    std::vector<int> points, particles;
+    std::vector<int> points;
+    std::vector<Weights> weights;  // of each point
+    std::vector<int> particles;
     BoundaryProjection projection;
   };
   static Point point_of(const V& v) {
     Point p{};
     for (int k = 0; k < Dim; ++k) p[k] = v[k];
     return p;
+  }
+  static V vector_of(const Point& p) {
+    V v;
+    for (int k = 0; k < Dim; ++k) v[k] = p[k];
+    return v;
   }
 
   std::vector<unsigned char> axes_;

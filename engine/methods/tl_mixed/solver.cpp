@@ -60,10 +60,9 @@ TlMixed<Dim>::TlMixed(Common<Dim>& common, const SolverInput& input, const Kerne
         .a_start = a_start_,
         .dissipation_J = dissipation_J_};
   if (!common_.initial.start.empty()) set_start_gradients();
-  if (c_.boundary_projection != 0 && common_.external.reactions.active())
-    throw SceneError("probe",
-                     "with boundary_projection = 1 clamps also change the velocities of their neighbours, "
-                     "which a probe of kind 'reaction' cannot measure; set method.boundary_projection=0");
+  if (c_.boundary_projection != 0)
+    for (Sites<Dim>& sites : body_.sites)
+      sites.mobile = filled<Pack>(1);  // the projection stops clamped particles
 }
 
 template <int Dim>
@@ -148,13 +147,13 @@ void TlMixed<Dim>::step(double dt) {
   const StageActions<Dim> outside = actions();
   find_rates(dt);
   kernels_.predict(f_, kick, outside, common_.threads_now());
-  project_on_boundary(dt);
+  project_on_boundary([](auto&&...) {});
   // the mean of both stages conserves momenta
   parallel_for(p_.size(), common_.threads_now(),
                [&](int i) { p_.x[i] += (0.5 * dt * p_.mobile[i]) * (v_start_[i] + p_.v[i]); });
   find_rates(dt);
   common_.set_greatest_speed(kernels_.correct(f_, kick, outside, common_.threads_now()));
-  project_on_boundary(0);
+  close_on_boundary(dt);
   stop_approach(dt);
   common_.finish_step(dt);
 }
@@ -177,10 +176,11 @@ template <int Dim>
 StageActions<Dim> TlMixed<Dim>::actions() {
   using Of = Common<Dim>;
   const External<Dim>& external = common_.external;
-  const bool loaded = external.loads.active(), steered = external.drives.active() || external.guides.active();
+  const bool loaded = external.loads.active(), projected = c_.boundary_projection != 0,
+             steered = !projected && (external.drives.active() || external.guides.active());
   const auto load = [](void* of, int i, V& a) {
     Of& all = *static_cast<Of*>(of);
-    if (all.external.drives.moves(all.particles.id[i])) return;
+    if (all.particles.mobile[i] == 0 || all.external.drives.moves(all.particles.id[i])) return;
     a = a + all.external.loads.acceleration(all.particles, i);
   };
   const auto steer = [](void* of, int i, V& v) {
@@ -203,12 +203,13 @@ StageActions<Dim> TlMixed<Dim>::actions() {
   return {.of = &common_,
           .load = loaded ? +load : nullptr,
           .steer = steered ? +steer : nullptr,
-          .close = loaded || steered ? +close : nullptr};
+          .close = steered || (loaded && !projected) ? +close : nullptr};
 }
 
-/// [Lee2016] Algorithm 1, step 9. The added energy is not counted as work.
+/// [Lee2016] Algorithm 1, step 9.
 template <int Dim>
-void TlMixed<Dim>::project_on_boundary(double ahead) {
+template <class Use>
+void TlMixed<Dim>::project_on_boundary(const Use& use) {
   if (c_.boundary_projection == 0) return;
   const External<Dim>& external = common_.external;
   std::vector<unsigned char> axes(p_.x.size());
@@ -223,8 +224,25 @@ void TlMixed<Dim>::project_on_boundary(double ahead) {
   const auto given = [&](int i) {
     return external.drives.moves(p_.id[i]) ? external.drives.velocity(p_.id[i]) : V{};
   };
-  boundary_.project([&](int i) -> V& { return p_.v[i]; }, given,
-                    [&](int i) { return p_.x[i] + ahead * v_start_[i]; });
+  boundary_.project([&](int i) -> V& { return p_.v[i]; }, given, use);
+}
+
+/// Projects at the end of a step, and adds what boundary and loads have done to work and reactions.
+template <int Dim>
+void TlMixed<Dim>::close_on_boundary(double dt) {
+  if (c_.boundary_projection == 0) return;
+  External<Dim>& external = common_.external;
+  project_on_boundary([&](int i, const V& impulse, const auto& weights) {
+    V twice_mean{};
+    for (const auto& [a, w] : weights) twice_mean += w * (v_start_[a] + p_.v[a]);
+    external.drives.add_work(p_.id[i], 0.5 * dot(impulse, twice_mean));
+    if (!external.reactions.active()) return;
+    for (const auto& [a, w] : weights) external.reactions.add(a, w * impulse);
+    external.reactions.add(i, -1.0 * impulse);
+  });
+  if (!external.loads.active()) return;
+  for (int i = 0; i < p_.size(); ++i)
+    if (!external.drives.moves(p_.id[i])) external.loads.count(p_, i, dt, 0.5 * (v_start_[i] + p_.v[i]));
 }
 
 template <int Dim>

@@ -14,8 +14,8 @@
 namespace taut {
 
 /// [Lee2016] Algorithm 1. Momentum is stored as the velocity p/ρ0. Departures: L*[L[U]] with `adjoint` = 1, because
-/// L[L[U]] (Eq. 37b) can add energy at surfaces; step 9 only with `boundary_projection` = 1. Contact and loads are not
-/// projected (Eq. 49).
+/// L[L[U]] (Eq. 37b) can add energy at surfaces; either step 8, or with `boundary_projection` = 1
+/// step 9 (THEORY.md). Contact and loads are not projected (Eq. 49).
 template <int Dim>
 class TlMixed final : public Scheme<Dim> {
  public:
@@ -49,7 +49,9 @@ class TlMixed final : public Scheme<Dim> {
   double greatest_step_of_dissipation(int threads) const;
   [[noreturn]] void throw_crushed() const;
   void find_rates(double dt);
-  void project_on_boundary(double ahead);
+  template <class Use>
+  void project_on_boundary(const Use& use);
+  void close_on_boundary(double dt);
   void stop_approach(double dt);
   StageActions<Dim> actions();
   template <class Archive>
