@@ -38,7 +38,9 @@ ColorKey key_of(const Look& look) {
     return ColorKey(ColorBar(range->low, range->high, colors_of(look, *range), not_a_number_color,
                              look.bar_format, across));
   std::vector<Legend::Entry> entries;
-  for (const std::string& name : look.categories) entries.push_back({name, category_color(entries.size())});
+  for (std::size_t k = 0; k < look.categories.size(); ++k)
+    if (std::ranges::find(look.unlisted, static_cast<int>(k)) == look.unlisted.end())
+      entries.push_back({look.categories[k], category_color(k)});
   return ColorKey(Legend(std::move(entries), across));
 }
 

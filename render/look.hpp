@@ -45,6 +45,7 @@ struct Look {
   bool transparent = false;
   /// If not empty, values are indices of categories.
   std::vector<std::string> categories{};
+  std::vector<int> unlisted{};  // categories without an entry in the legend
 };
 
 }  // namespace taut::render

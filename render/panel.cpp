@@ -78,7 +78,7 @@ std::vector<PanelBlock> blocks_of(const PanelOptions& options) {
 bool same_colors(const PanelBlock& a, const PanelBlock& b) {
   return a.field == b.field && a.unit == b.unit && a.look.range == b.look.range &&
          a.look.colormap == b.look.colormap && a.look.categories == b.look.categories &&
-         a.look.bar_format == b.look.bar_format;
+         a.look.unlisted == b.look.unlisted && a.look.bar_format == b.look.bar_format;
 }
 
 /// Cells have no size yet.

@@ -202,7 +202,10 @@ void Options::refuse_unknown() const {
           fmt::format("'{}' follows '--', after which options are not allowed; put it before '--'", name));
     throw UsageError(unknown_name("option", name, names));
   }
-  if (!rest.empty()) throw UsageError(fmt::format("'{}' is one argument too many; remove it", rest.front()));
+  if (rest.empty()) return;
+  const bool lacks_set = rest.front().find('=') != std::string::npos && app_->get_option_no_throw("--set");
+  throw UsageError(fmt::format("'{}' is one argument too many; {}", rest.front(),
+                               lacks_set ? "write --set before each NAME=VALUE" : "remove it"));
 }
 
 }  // namespace taut::cli

@@ -13,6 +13,7 @@
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/frames.hpp"
 #include "cli/drawing/options.hpp"
+#include "cli/drawing/page_keys.hpp"
 #include "cli/drawing/staging.hpp"
 #include "cli/run/labels.hpp"
 #include "cli/run/panel_cells.hpp"
@@ -176,23 +177,28 @@ Drawing fitted_to(const Drawing& drawing, bool bounded, const std::vector<SavedR
   return result;
 }
 
-void warn_about_particles_outside(const render::View& view, const std::vector<SavedRun>& runs,
-                                  const std::vector<Column>& columns, std::ostream& err) {
-  constexpr double worth_a_warning = 0.02;  // share of particles
+/// Updates the greatest share of each run's particles outside `view`.
+void add_shares_outside(std::vector<double>& most, const render::View& view,
+                        const std::vector<Column>& columns) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    double most = 0;
     for (const PanelCell& cell : columns[k].cells) {
       if (!cell.particles) continue;
       const std::span<const double> x = cell.particles->view().x;
       double outside = 0;
       for (std::size_t i = 0; i < x.size(); i += 2)
         outside += x[i] < view.x_min || x[i] > view.x_max || x[i + 1] < view.y_min || x[i + 1] > view.y_max;
-      most = std::max(most, 2 * outside / static_cast<double>(x.size()));
+      most[k] = std::max(most[k], 2 * outside / static_cast<double>(x.size()));
     }
-    if (most > worth_a_warning)
-      err << "taut: up to " << percent(most) << " of the particles of " << runs[k].folder.path().string()
-          << " are outside the view of the scene; use --view auto to show them\n";
   }
+}
+
+void warn_about_particles_outside(const std::vector<SavedRun>& runs, const std::vector<double>& most,
+                                  std::ostream& err) {
+  constexpr double worth_a_warning = 0.02;  // share of particles
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (most[k] > worth_a_warning)
+      err << "taut: up to " << percent(most[k]) << " of the particles of " << runs[k].folder.path().string()
+          << " are outside the view of the scene; use --view auto to show them\n";
 }
 
 void draw(render::Panel& panel, const std::vector<Column>& columns, int first_column, bool times_across) {
@@ -255,22 +261,23 @@ std::vector<Column> make_columns(const Drawing& chosen, const std::vector<SavedR
 
 int compare_runs(const CompareArguments& options, Streams streams) {
   if (!options.labels.empty() && options.labels.size() != options.runs.size())
-    throw UsageError(fmt::format("--labels has {} labels, but there are {} runs; give one label for each run",
+    throw UsageError(fmt::format("--labels must give one label for each run (labels: {}, runs: {})",
                                  options.labels.size(), options.runs.size()));
   const std::vector<SavedRun> runs = open_runs(options.runs);
   const Drawing chosen = chosen_drawing(runs, options);
   const double until = longest(runs);
   const std::vector<double> times = chosen_times(options, until);
   std::vector<Block> blocks = make_blocks(chosen, options, runs.front().file);
+  std::vector<double> most_outside(runs.size(), 0);
   for (Block& block : blocks) {
     check_followed_body(block.drawing, runs,
                         &block == &blocks.front() ? "choose another body with --follow, or --follow none"
                                                   : "choose another body in --beside, or follow=none");
     block.columns = make_columns(block.drawing, runs, times, until);
     block.drawing = fitted_to(block.drawing, block.bounded, runs, block.columns);
-    if (block.bounded)
-      warn_about_particles_outside(*block.drawing.look.view, runs, block.columns, streams.err);
+    if (block.bounded) add_shares_outside(most_outside, *block.drawing.look.view, block.columns);
   }
+  warn_about_particles_outside(runs, most_outside, streams.err);
   RunLabels labels = label_runs(runs);
   for (std::size_t k = 0; k < options.labels.size(); ++k) labels.columns[k] = {options.labels[k], ""};
   render::PanelOptions about = panel_options(blocks.front().drawing, std::move(labels));
@@ -305,7 +312,8 @@ std::function<int(Streams)> declare_compare(Options& command) {
   command
       .add("--labels", "LABEL,...", options->labels,
            "names of the runs in the picture; default: the settings in which the runs differ")
-      .comma_separated();
+      .comma_separated()
+      .check(line_of_text);
   command
       .add("--beside", "KEY=VALUE;...", options->beside,
            "the same pictures beside the others, with other drawing options, such as color=pressure, "

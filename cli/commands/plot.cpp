@@ -8,6 +8,7 @@
 
 #include "cli/arguments/options.hpp"
 #include "cli/command_line/command.hpp"
+#include "cli/drawing/page_keys.hpp"
 #include "cli/run/folder.hpp"
 #include "cli/run/history.hpp"
 #include "cli/run/schedule.hpp"
@@ -305,7 +306,8 @@ std::function<int(Streams)> declare_plot(Options& command) {
            "with --y: draw one line for each value, such as method; default: all settings that differ")
       .comma_separated();
   command.add("--log", "x|y|xy", options->log, "axes with logarithmic scale");
-  command.add("--title", "TEXT|none", options->title, "title; default: the title of the sweep or scene");
+  command.add("--title", "TEXT|none", options->title, "title; default: the title of the sweep or scene")
+      .check(line_of_text);
   command.add("--size", "WIDTHxHEIGHT", options->size, "size, pixels; with --width: aspect ratio");
   command.add("--width", "LENGTH", options->width,
               "width on paper, such as 85mm; the defaults are then --dpi 300 and --font-size 7");

@@ -98,7 +98,7 @@ std::vector<SweepRun*> what_to_run(SweepPlan& plan, const SweepOptions& o, std::
   if (outdated > 0)
     err << "taut: " << outdated << (outdated == 1 ? " finished run" : " finished runs") << " in '"
         << plan.folder.string() << "' " << (outdated == 1 ? "has" : "have")
-        << " other settings or another version of taut and will be replaced; "
+        << " other settings, other input files or another version of taut and will be replaced; "
            "to keep the results, name another folder with --out\n";
   return runs;
 }

@@ -10,6 +10,7 @@
 #include "cli/drawing/page_keys.hpp"
 #include "cli/text/format.hpp"
 #include "cli/text/print_size.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -117,7 +118,9 @@ std::string set_way(Drawing& drawing, const DrawingValue& value) {
   }
   const Numbers& given = numbers(value);
   const render::Vector way{given[0], given[1], given[2]};
-  if (way == render::Vector{}) return "a direction cannot be [0, 0, 0]";
+  constexpr double least_length = 1e-100;  // its square does not vanish
+  if (!(std::hypot(way[0], way[1], way[2]) >= least_length))
+    return "a direction cannot be [0, 0, 0], nor shorter than 1e-100";
   camera_of(drawing).*Way = way;
   return "";
 }
@@ -197,7 +200,7 @@ std::optional<Numbers> typed_numbers(const DrawingKey::Numbers& key, std::string
     if (end == std::string_view::npos) return std::nullopt;
     const std::string_view part = text.substr(0, end);
     const auto value = key.whole ? std::optional<double>(parsed<int>(part)) : parsed<double>(part);
-    if (!value || !std::isfinite(*value)) return std::nullopt;
+    if (!value || !(*value >= key.low && *value <= key.high)) return std::nullopt;
     values.push_back(*value);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
@@ -238,7 +241,8 @@ std::span<const DrawingKey> drawing_keys() {
                  .allows_auto = true,
                  .numbers = {.count = 2,
                              .in_file = "[low, high]",
-                             .typed = "LOW:HIGH with LOW < HIGH, such as 0:2e6, or 'auto'"},
+                             .typed = "LOW:HIGH with LOW < HIGH, such as 0:2e6, or 'auto'; "
+                                      "both from -1e100 to 1e100"},
                  .set = set_range,
                  .get = get_range},
       DrawingKey{.name = "colormap",
@@ -257,7 +261,8 @@ std::span<const DrawingKey> drawing_keys() {
           .allows_auto = true,
           .numbers = {.count = 4,
                       .in_file = "[x_min, x_max, y_min, y_max]",
-                      .typed = "X_MIN:X_MAX:Y_MIN:Y_MAX in metres, such as -0.1:0.1:0:0.05, or 'auto'"},
+                      .typed = "X_MIN:X_MAX:Y_MIN:Y_MAX in metres, such as -0.1:0.1:0:0.05, or 'auto'; "
+                               "all from -1e100 to 1e100"},
           .set = set_view,
           .get = get_view},
       DrawingKey{.name = "camera",
@@ -267,7 +272,8 @@ std::span<const DrawingKey> drawing_keys() {
                  .allows_auto = true,
                  .numbers = {.count = 3,
                              .in_file = "[x, y, z]",
-                             .typed = "X:Y:Z, a direction towards the camera such as 1:-2:1, or 'auto'"},
+                             .typed = "X:Y:Z, a direction towards the camera such as 1:-2:1, or 'auto'; "
+                                      "its length from 1e-100 to 1e100"},
                  .set = set_way<&render::Camera::from>,
                  .get = get_way<&render::Camera::from>},
       DrawingKey{.name = "up",
@@ -277,7 +283,8 @@ std::span<const DrawingKey> drawing_keys() {
                  .allows_auto = true,
                  .numbers = {.count = 3,
                              .in_file = "[x, y, z]",
-                             .typed = "X:Y:Z, a direction that points up such as 0:0:1, or 'auto'"},
+                             .typed = "X:Y:Z, a direction that points up such as 0:0:1, or 'auto'; "
+                                      "its length from 1e-100 to 1e100"},
                  .set = set_way<&render::Camera::up>,
                  .get = get_way<&render::Camera::up>},
       DrawingKey{.name = "fov",
@@ -295,7 +302,8 @@ std::span<const DrawingKey> drawing_keys() {
       DrawingKey{.name = "style",
                  .placeholder = "STYLE",
                  .help = "shape of particles: discs (2D), spheres (3D), "
-                         "cells (pieces of one colour, with hairline gaps where the strain varies), "
+                         "cells (a rectangle or box on the axes of each particle, deformed with it: "
+                         "gaps are hairlines where the strain varies, and wider in layouts off a lattice), "
                          "or surface (continuous bodies with interpolated values)",
                  .session_help = "shape of particles: discs (2D), spheres (3D), cells, or surface",
                  .allows_auto = true,
@@ -397,6 +405,8 @@ std::span<const DrawingKey> drawing_keys() {
                  .session_help = "title of the picture; auto: the scene's title",
                  .allows_auto = true,
                  .is_free_text = true,
+                 .pattern = R"(^[^\u0000-\u001f\u007f]{0,200}$)",
+                 .numbers = {.typed = std::string(right_lines)},
                  .set = set_title,
                  .get = get_title},
       DrawingKey{
@@ -476,7 +486,7 @@ void set_typed(Drawing& drawing, const DrawingKey& key, const std::string& text)
   const std::optional<DrawingValue> value = typed_value(key, text);
   Drawing changed = drawing;
   if (!value || !key.set(changed, *value).empty())
-    throw UsageError(fmt::format("{} is '{}'; it must be {}", key.option(), text, key.numbers.typed));
+    throw UsageError(fmt::format("{} is '{}'; it must be {}", key.option(), shown(text), key.numbers.typed));
   drawing = changed;
 }
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -38,7 +37,7 @@ struct DrawingKey {
     char between = ':';             // separates typed numbers
     std::string_view in_file = {};  // "[low, high]"
     std::string typed = {};
-    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+    double low = -1e100, high = 1e100;  // by default, squares and differences are finite
   };
 
   std::string_view name;

@@ -9,7 +9,9 @@
 #include <fmt/core.h>
 
 #include "cli/text/format.hpp"
+#include "cli/text/json.hpp"
 #include "cli/text/print_size.hpp"
+#include "cli/text/shown.hpp"
 
 namespace taut::cli {
 namespace {
@@ -63,6 +65,15 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   std::istringstream words(text);
   for (std::string part; std::getline(words, part, ',');) parts.push_back(part);
   return parts;
+}
+
+std::string line_of_text(const std::string& text) {
+  constexpr std::size_t longest = 200;
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  // JSON replaces whatever TOML refuses, including surrogates, which is_utf8 accepts
+  const bool is_line = text.size() <= longest && std::ranges::none_of(text, is_control) &&
+                       parse_json(Json(text).dump(), "text").text() == text;
+  return is_line ? "" : fmt::format("'{}' must be {}", shown(text), right_lines);
 }
 
 std::string number_out_of_bounds(std::string_view key, double value, std::string_view bounds) {
@@ -178,6 +189,7 @@ DrawingValue get_axes_position(const Drawing& drawing) {
 }
 
 std::string set_title(Drawing& drawing, const DrawingValue& value) {
+  if (const std::string wrong = line_of_text(word(value)); !wrong.empty()) return "title: " + wrong;
   drawing.title.reset();
   if (word(value) != automatic) drawing.title = word(value) == nothing ? "" : word(value);
   return "";

@@ -20,6 +20,10 @@ std::string number_out_of_bounds(std::string_view key, double value, std::string
 bool is_whole_within(double value, int low, int high);
 std::vector<std::string> split_at_commas(const std::string& text);
 
+inline constexpr std::string_view right_lines = "one line of UTF-8 text of at most 200 bytes";
+/// Returns a message, or "" for a valid line.
+std::string line_of_text(const std::string& text);
+
 inline constexpr std::string_view right_colors =
     "white, black, transparent or #rrggbb (six hexadecimal digits)";
 inline constexpr double least_font = 1, greatest_font = 100, least_dpi = 30, greatest_dpi = 2400;

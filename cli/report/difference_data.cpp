@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/report/page.hpp"
 #include "cli/run/frame_folders.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "engine/error.hpp"
@@ -57,6 +58,7 @@ Json difference_data(const Compared& compared, const fs::path& folder, const Lin
                {"got", links.to_picture(got / picture.name)}};
     if (d.greatest > 0) {
       const fs::path file = folder / picture.name;
+      if (!links.embeds()) begin_page(links.page());
       make_folder_of(file);
       render::write_png(render::difference_picture(render::read_png(expected / picture.name),
                                                    render::read_png(got / picture.name)),

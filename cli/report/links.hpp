@@ -11,6 +11,7 @@ class Links {
   Links(const std::filesystem::path& page, bool embed);
 
   bool embeds() const { return embed_; }
+  const std::filesystem::path& page() const { return page_; }
   /// Relative and percent-encoded.
   std::string to(const std::filesystem::path& file) const;
   /// Throws UsageError for a picture that cannot be embedded.

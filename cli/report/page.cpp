@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "cli/report/page_files.hpp"
 #include "cli/system/atomic_file.hpp"
 #include "engine/error.hpp"
@@ -76,7 +78,19 @@ void check_page(const fs::path& path) {
                      "' exists and is not a page of `taut report`; name another file with --out");
 }
 
+void begin_page(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder / "index.html", error)) return;
+  make_folders(folder);
+  write_atomically(
+      folder / "index.html",
+      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n{}\n"
+                  "<title>taut report</title>\n<p>This page is unfinished; repeat taut report.</p>\n",
+                  generator));
+}
+
 void write_page(const fs::path& folder, const PageData& data) {
+  begin_page(folder);
   make_folders(folder / "runs");
   const auto scripts = run_scripts(data);
   std::error_code error;

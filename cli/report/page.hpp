@@ -21,6 +21,9 @@ std::string particle_script_name(std::size_t run);
 /// Throws UsageError unless `path` is missing, an empty folder or a page of taut.
 void check_page(const std::filesystem::path& path);
 
+/// Marks a new page before its other files exist, so that an interrupted page can be replaced. Throws OutputError.
+void begin_page(const std::filesystem::path& folder);
+
 /// Throws OutputError.
 void write_page(const std::filesystem::path& folder, const PageData& data);
 

@@ -30,7 +30,10 @@ Json rows_of(const StoredResults& results, const std::vector<std::string>& colum
     Json row = Json::array();
     for (const std::string& column : columns) {
       const auto cell = cells.find(column);
-      row.add(cell == cells.end() ? Json() : number_or_text(cell->second));
+      if (column == "method")  // also of a run without a result
+        row.add(run.method());
+      else
+        row.add(cell == cells.end() ? Json() : number_or_text(cell->second));
     }
     rows.add(std::move(row));
   }

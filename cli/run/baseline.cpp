@@ -12,7 +12,9 @@ namespace fs = std::filesystem;
 
 namespace taut::cli {
 
-fs::path plain_path(const fs::path& path) { return (fs::weakly_canonical(path) / "").parent_path(); }
+fs::path plain_path(const fs::path& path) {
+  return (fs::weakly_canonical(fs::absolute(path)) / "").parent_path();
+}
 
 bool Baseline::exists() const { return !picture_names(path_).empty(); }
 

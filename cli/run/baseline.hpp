@@ -26,7 +26,7 @@ class Baseline {
   std::filesystem::path path_;
 };
 
-/// Resolves links and removes a final slash.
+/// Absolute path without links and final slash.
 std::filesystem::path plain_path(const std::filesystem::path& path);
 
 }  // namespace taut::cli

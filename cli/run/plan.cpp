@@ -11,6 +11,7 @@
 #include "cli/drawing/keys.hpp"
 #include "cli/run/history.hpp"
 #include "cli/run/schedule.hpp"
+#include "cli/scene/reference_table.hpp"
 #include "cli/scene/shipped.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
@@ -173,7 +174,7 @@ void declare_setting_options(Options& command, RunOptions& o) {
       "formulation (`taut list methods`); default: the method of the scene");
   command
       .add(
-          "--set", "NAME=VALUE ...",
+          "--set", "NAME=VALUE",
           [&o](const std::vector<std::string>& assignments) {
             const std::vector<Setting> by_options = o.settings;
             for (const std::string& text : assignments) {
@@ -182,7 +183,8 @@ void declare_setting_options(Options& command, RunOptions& o) {
               o.settings.push_back(std::move(setting));
             }
           },
-          "change a parameter of the scene, a constant of the method (method.NAME) or a setting such as cfl")
+          "change a parameter of the scene, a constant of the method (method.NAME) or a setting such as cfl; "
+          "can be repeated")
       .one_word_each()
       .check(assignment);
   const auto declare_number = [&](const std::string& name, const char* help, const char* placeholder) {
@@ -258,6 +260,7 @@ RunPlan make_plan(const RunOptions& options) {
   RunPlan plan;
   SceneFile& file = plan.file;
   file = scene_to_run(options);
+  plan.file_checksum = file_checksum(file);
   file.drawing = with_options(file.drawing, options.drawing);
   apply_scene(file.drawing, file);
   file.drawing.frames = frame_count(options, file);

@@ -41,6 +41,13 @@ void members(T& drift, const auto& use) {
   use("energy_lost", drift.energy_lost);
 }
 
+template <is_of<SavedParticles> T>
+void members(T& saved, const auto& use) {
+  use("format", saved.format);
+  use("precision", saved.precision);
+  use("fields", saved.fields);
+}
+
 template <is_of<BeyondLaw> T>
 void members(T& beyond, const auto& use) {
   use("since", beyond.since);
@@ -64,6 +71,9 @@ requires std::is_arithmetic_v<T>
 void read(const JsonCursor& json, T& value) { value = json.number_as<T>(); }
 void read(const JsonCursor& json, std::string& value) { value = json.text(); }
 void read(const JsonCursor& json, std::optional<double>& value) { value = json.number(); }
+void read(const JsonCursor& json, std::vector<std::string>& texts) {
+  for (const JsonCursor& item : json.items()) texts.push_back(item.text());
+}
 
 template <class T>
 requires requires(T& value) {
@@ -88,6 +98,11 @@ void read(const JsonCursor& json, T& value) {
 Json written(const std::optional<std::string>& text) { return text ? Json(*text) : Json(); }
 void read(const JsonCursor& json, std::optional<std::string>& text) {
   if (!json.is_null()) text = json.text();
+}
+
+Json written(const std::optional<SavedParticles>& saved) { return saved ? written(*saved) : Json(); }
+void read(const JsonCursor& json, std::optional<SavedParticles>& saved) {
+  if (!json.is_null()) read(json, saved.emplace());
 }
 
 Json written(const std::optional<Status>& status) {
@@ -224,6 +239,8 @@ constexpr RecordField fields[] = {
      [](const RunRecord& record) { return record.jitter.share > 0 ? Json(record.jitter.seed) : Json(); },
      [](const JsonCursor& json, RunRecord& record) { read(json, record.jitter.seed); },
      Place::everywhere_if_known},
+    field<&RunRecord::file_checksum>("file_checksum", Place::run_json),
+    field<&RunRecord::saved_particles>("saved_particles", Place::run_json),
     field<&RunRecord::particles>("particles"),
     field<&RunRecord::mass>("mass"),
     field<&RunRecord::until>("until"),
@@ -262,7 +279,7 @@ constexpr RecordField fields[] = {
 void append(Json& json, const RecordField& field, const RunRecord& record) {
   Json value = field.write(record);
   const bool known = !value.is_null() && !(value.is_text() && value.text().empty());
-  if (known || (field.place != Place::everywhere_if_known && field.place != Place::results))
+  if (known || field.place == Place::everywhere || field.place == Place::last_in_results)
     json.append(std::string(field.key), std::move(value));
 }
 

@@ -22,6 +22,13 @@
 
 namespace taut::cli {
 
+struct SavedParticles {
+  std::string format, precision;  // "vtp", "double"
+  std::vector<std::string> fields;
+
+  bool operator==(const SavedParticles&) const = default;
+};
+
 /// Contents of run.json.
 struct RunRecord {
   enum class Status { running, finished, interrupted, failed };
@@ -37,6 +44,8 @@ struct RunRecord {
   double spacing = 0;                       // m, as used
   std::optional<double> requested_spacing;  // m, if different
   Jitter jitter;
+  std::string file_checksum;  // empty without named files, or from an older version
+  std::optional<SavedParticles> saved_particles;
   long particles = 0;
   double mass = 0;                // kg, in 2D per metre
   double until = 0, reached = 0;  // s
@@ -84,7 +93,7 @@ struct RecordField {
     everywhere_if_known,  // omitted if null or empty
     last_in_results,      // varies between repetitions
     results,              // last, omitted if null
-    run_json,
+    run_json,             // omitted if null or empty
   };
   std::string_view key;
   Json (*write)(const RunRecord&);              // non-finite values are null

@@ -56,9 +56,9 @@ std::string indicators_line(const RunRecord& record) {
 }
 
 std::string heading(const RunRecord& record) {
-  std::string text =
-      fmt::format("{} with {}: {} particles at dp = {} m, {} steps to t = {} s", record.scene, record.method,
-                  record.particles, brief(record.spacing), record.steps, brief(record.reached));
+  std::string text = fmt::format("{} with {}: {} particles at dp = {} m, {} {} to t = {} s", record.scene,
+                                 record.method, record.particles, brief(record.spacing), record.steps,
+                                 record.steps == 1 ? "step" : "steps", brief(record.reached));
   if (record.status == RunRecord::Status::interrupted)
     text += fmt::format(" of {} s (interrupted)", brief(record.until));
   return text + "\n";
@@ -67,7 +67,7 @@ std::string heading(const RunRecord& record) {
 std::string missing_reference(const SceneFile& file, const RunRecord& record, const std::string& measure) {
   std::vector<std::string> laws;
   for (const auto& [law, reference] : file.scene.references)
-    if (reference.has(measure)) laws.push_back(law_name(law));
+    if (law != record.material_law && reference.has(measure)) laws.push_back(law_name(law));
   if (!laws.empty())
     return fmt::format("the scene's reference is for {}; {}'s law is {}", join_with_or(laws), record.method,
                        law_name(record.material_law));

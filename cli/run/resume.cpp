@@ -151,7 +151,10 @@ RunPlan resume_plan(const fs::path& path, const RunOptions& options) {
                     path.string(), other));
   if (later) plan = run_on(plan, stored, *later);
   plan.requested_spacing = checkpoint ? checkpoint->requested_spacing : record->requested_spacing;
-  if (checkpoint && !checkpoint->state.empty()) plan.state = std::move(checkpoint->state);
+  if (checkpoint && !checkpoint->state.empty()) {
+    plan.state = std::move(checkpoint->state);
+    plan.file_checksum = record->file_checksum;  // the state is from the files read at the start
+  }
   return plan;
 }
 

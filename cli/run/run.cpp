@@ -357,6 +357,8 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
       asked && std::abs(*asked - record.spacing) > 1e-9 * record.spacing)
     record.requested_spacing = asked;
   record.jitter = file.scene.jitter;
+  record.file_checksum = plan.file_checksum;
+  record.saved_particles = plan.saved_particles();
   record.particles = static_cast<long>(start.size());
   record.mass = std::accumulate(start.m.begin(), start.m.end(), 0.0);
   record.until = file.scene.until;
@@ -366,6 +368,14 @@ RunRecord new_record(const RunPlan& plan, const Simulation& simulation) {
 }
 
 }  // namespace
+
+std::optional<SavedParticles> RunPlan::saved_particles() const {
+  if (particle_fields.empty()) return std::nullopt;
+  SavedParticles saved{
+      std::string(name(particle_form.format)), particle_form.single_precision ? "single" : "double", {}};
+  for (const Field* field : particle_fields) saved.fields.emplace_back(field->key);
+  return saved;
+}
 
 std::unique_ptr<Simulation> start(const SceneFile& file) try {
   return make_simulation(file.scene, file.settings);

@@ -23,6 +23,7 @@ struct RunPlan {
   bool keeps_look = false;
   std::vector<const Field*> particle_fields;  // none: not saved
   ParticleForm particle_form;
+  std::string file_checksum;
   std::vector<double> frame_times, history_times;  // s, sorted
   RunFolder folder{"."};
   std::optional<double> checkpoint_every;  // simulated s; none: no regular checkpoints
@@ -31,6 +32,7 @@ struct RunPlan {
   bool runs_on = false;                    // `state` has an earlier `until`
 
   std::string scene_text() const { return resolved_text(file, folder.path()); }
+  std::optional<SavedParticles> saved_particles() const;
 };
 
 /// Throws SceneError with the place in the scene file.

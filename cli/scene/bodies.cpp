@@ -150,6 +150,14 @@ void read_drives(TomlCursor& cursor, const Scene& scene, Body& body) {
 
 constexpr std::array load_kinds = {Load::Kind::force, Load::Kind::force_density, Load::Kind::traction};
 
+[[noreturn]] void fail_without_load(TomlCursor& entry) {
+  entry.refuse_unknown_keys();  // most likely one is misspelt
+  std::vector<std::string> keys;
+  for (const Load::Kind kind : load_kinds) keys.push_back(fmt::format("'{}'", name(kind)));
+  entry.fail(entry.table().place, "force",
+             fmt::format("{} is missing in {}", join_with_or(keys), entry.what()));
+}
+
 void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
   for (TomlCursor& entry : tables(cursor, "loaded", "a loaded region")) {
     Load load;
@@ -165,7 +173,7 @@ void read_loads(TomlCursor& cursor, const Scene& scene, Body& body) {
       key = name(kind);
       load.kind = kind;
     }
-    if (key.empty()) entry.need("force");
+    if (key.empty()) fail_without_load(entry);
     std::size_t axis = 0;
     for (const TomlValue& component : components(entry, key, scene.dim))
       load.value[axis++] = entry.function_of(component, key);

@@ -111,7 +111,7 @@ void refuse_unit(const std::string& text) {
   while (rest.ends_with(' ')) rest.remove_suffix(1);
   const auto* unit = std::ranges::find(units, rest, &Unit::name);
   if (unit == std::end(units)) return;
-  throw ExpressionError(fmt::format("{} has a unit; write the number in SI units, without a unit: {}",
+  throw ExpressionError(fmt::format("{} has a unit; write the number alone, in SI units or degrees: {}",
                                     in_quotes(text), brief(value * unit->factor)),
                         static_cast<std::size_t>(rest.data() - text.data()));
 }

@@ -159,7 +159,8 @@ constexpr KeyInfo loaded_keys[] = {
     {"force_density", types::vector("[x, y] of the place", "N/m³"), "or force or traction",
      "force per initial volume"},
     {"traction", types::vector("[x, y] of the place", "Pa"), "or force or force_density",
-     "force per area on the outer face of a layer one spacing deep; each face needs its own entry. "
+     "force per area on the outer face of a layer one spacing deep, such as x > 0.04 - dp; "
+     "deeper regions are refused, and each face needs its own entry. "
      "It acts on the particles of the layer in methods that search neighbours, in tl-small-strain, "
      "and on curved faces cut from a lattice. On a hexagonal lattice the force is up to 7.5 % off"},
     {"ramp", types::expression("expression of t"), "1", "factor of the load over time"},

@@ -23,8 +23,9 @@ constexpr KeyInfo own_image{"body", types::text("name of a body"), "or bodies",
 constexpr KeyInfo at{"at", types::vector("[x, y]", "m"), "",
                      "material point, given by its position in the initial configuration"};
 constexpr KeyInfo to{"to", types::vector("[x, y]", "m"), "", "second material point, given in the same way"};
-constexpr KeyInfo component{"component", types::word("x", "y", "z"), "",
-                            "axis of the component; in mirror_asymmetry the normal of the mirror plane"};
+constexpr KeyInfo component{
+    "component", types::word("x", "y", "z"), "",
+    "axis of the component; in mirror_asymmetry the normal of the mirror plane, which contains the origin"};
 constexpr KeyInfo part{"component", types::word("xx", "yy", "zz", "xy", "xz", "yz", "von_mises", "pressure"),
                        "", "component or invariant of the stress; xz and yz only in 3D"};
 constexpr KeyInfo reaction_where{"where", types::expression("expression of the place"), "everywhere",
@@ -53,7 +54,7 @@ const std::vector<ProbeKind> kinds{
      "It is at most the search range of the contact, one or two spacings",
      {key::bodies}},
     {"mirror_asymmetry", "m",
-     "largest deviation of a body from the mirror image of another body, or of itself",
+     "largest deviation of a body from the mirror image of another body, or of itself, every 32 steps",
      {key::images, key::own_image, key::component}},
     {"turn", "rad",
      "angle by which a material point has turned about the axis since the start, whole turns included",

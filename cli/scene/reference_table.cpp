@@ -1,3 +1,5 @@
+#include "cli/scene/reference_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -84,15 +86,19 @@ std::string path_without_scene_folder(const std::filesystem::path& file) {
   return file.string();
 }
 
-void make_paths_relative_in(TomlValue& value, const std::filesystem::path& folder) {
-  for (TomlValue& item : value.items) make_paths_relative_in(item, folder);
-  for (TomlEntry& entry : value.entries) {
-    make_paths_relative_in(entry.value, folder);
-    const std::filesystem::path file = entry.value.text;
-    std::error_code error;
-    if (entry.key == "file" && file.is_absolute())
-      entry.value.text = std::filesystem::relative(file, folder, error).string();
+template <class Value, class Use>
+void for_each_file_in(Value& value, const Use& use) {
+  for (auto& item : value.items) for_each_file_in(item, use);
+  for (auto& entry : value.entries) {
+    for_each_file_in(entry.value, use);
+    if (entry.key == "file" && !entry.value.text.empty()) use(entry.value.text);
   }
+}
+
+template <class Value, class Use>
+void for_each_named_file(Value& scene, const Use& use) {
+  for (const std::string_view key : {"reference", "body"})
+    if (auto* section = scene.find(key)) for_each_file_in(section->value, use);
 }
 
 }  // namespace
@@ -110,8 +116,24 @@ std::filesystem::path named_file(TomlCursor& table, const std::filesystem::path&
 }
 
 void make_paths_relative(const std::filesystem::path& folder, TomlValue& scene) {
-  for (const std::string_view key : {"reference", "body"})
-    if (TomlEntry* section = scene.find(key)) make_paths_relative_in(section->value, folder);
+  // std::filesystem::relative gives "" for a relative folder whose first component does not exist
+  std::error_code error;
+  const std::filesystem::path base = std::filesystem::absolute(folder, error);
+  for_each_named_file(scene, [&](std::string& file) {
+    if (std::filesystem::path(file).is_absolute())
+      file = std::filesystem::relative(file, base, error).string();
+  });
+}
+
+std::string file_checksum(const SceneFile& scene) {
+  const std::filesystem::path folder = std::filesystem::absolute(scene.path).parent_path();
+  std::string sums;
+  for_each_named_file(scene.tree, [&](const std::string& file) {
+    std::ifstream content(find_file(folder, file), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(content), {}};
+    sums += fmt::format("{:016x}", hash_of(text));
+  });
+  return sums.empty() ? "" : fmt::format("{:016x}", hash_of(sums));
 }
 
 std::string file_text(const std::filesystem::path& path, std::size_t most_bytes) {

@@ -91,7 +91,13 @@ std::map<std::string, double> read_values(TomlCursor& reference, const Scene& sc
   if (!table) return values;
   TomlCursor cursor = reference.enter(*table, "values", "'values' of " + reference.what(), named_by_user);
   for (const TomlEntry& entry : cursor.table().entries) {
-    known_measure(cursor, entry, scene);
+    const MeasureKind& kind = *find_measure_kind(known_measure(cursor, entry, scene).kind);
+    if (!kind.number)
+      cursor.fail(entry.place, entry.key,
+                  fmt::format("the measure '{}' cannot have a value; give {}", entry.key,
+                              !kind.table     ? "a solution"
+                              : kind.solution ? "a table or a solution"
+                                              : "a table"));
     values[entry.key] = cursor.number(entry.key);
   }
   return values;
@@ -178,7 +184,10 @@ std::map<std::string, std::vector<Solution>> read_solutions(TomlCursor& referenc
                                     entry.key, number, measure.fields.empty() ? "probes" : "fields"));
     const std::span<const TomlValue> items =
         several ? std::span<const TomlValue>(entry.value.items) : std::span(&entry.value, 1);
-    for (const TomlValue& item : items) solutions[entry.key].push_back(cursor.solution(item, entry.key));
+    const bool in_space = !measure.line.empty() || !measure.fields.empty();
+    for (const TomlValue& item : items)
+      solutions[entry.key].push_back(in_space ? cursor.solution(item, entry.key)
+                                              : cursor.solution_of_time(item, entry.key));
   }
   return solutions;
 }

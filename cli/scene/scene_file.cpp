@@ -129,6 +129,13 @@ void refuse_unused_parameters(TomlCursor& root, const TomlValue& original, const
                 fmt::format("the parameter '{}' is unused; remove it or use it in an expression", entry.key));
 }
 
+/// Throws UsageError if the contact law of the settings does not suit the method or the bodies.
+void check_contact(const Changes& changes, const SceneFile& file) try {
+  if (changes.find("contact")) contact_law(file.scene, *find_method(file.settings.method));
+} catch (const SceneError& error) {
+  throw UsageError(fmt::format("--set contact={}: {}", *changes.find("contact"), error.what()));
+}
+
 /// The constructor reads what `fitted` needs.
 class SceneReading {
  public:
@@ -148,6 +155,7 @@ class SceneReading {
     file_.scene.element_order = find_method(file_.settings.method)->formulation.element_order;
     read_bodies(root_, find_method(file_.settings.method)->keeps_neighbors, file_);
     name_touching(root_, file_);
+    check_contact(changes, file_);
   }
 
   double fitted() const {

@@ -247,6 +247,11 @@ Solution TomlCursor::solution(const TomlValue& value, std::string_view key) {
   return solution ? solution : [](const Point&, double) { return 0.0; };
 }
 
+Solution TomlCursor::solution_of_time(const TomlValue& value, std::string_view key) {
+  return
+      [of_time = function_of_time(value, key)](const Point&, double t) { return of_time ? of_time(t) : 0; };
+}
+
 std::function<double(const std::vector<double>&, double)> TomlCursor::function_of_probes(
     const TomlValue& value, std::string_view key, const std::vector<std::string>& probes) {
   const std::string text = value.kind == Kind::text ? value.text : exact(value_of(value, key));

@@ -64,6 +64,7 @@ class TomlCursor {
   std::function<double(double)> function_of_time(const TomlValue& value, std::string_view key);
   /// Never empty.
   Solution solution(const TomlValue& value, std::string_view key);
+  Solution solution_of_time(const TomlValue& value, std::string_view key);
   /// Function of probes and time, s.
   std::function<double(const std::vector<double>&, double)> function_of_probes(
       const TomlValue& value, std::string_view key, const std::vector<std::string>& probes);

@@ -32,6 +32,7 @@ ChartPoint point_of(const StoredRun& run, const ChartErrors& errors, Cost cost) 
   point.spacing = record.spacing;
   point.error = errors.of(run);
   point.measured = errors.measured(run);
+  point.comparable = errors.comparable(run);
   point.cost = cost == Cost::cpu ? record.seconds.cpu
                : cost == Cost::wall
                    ? record.seconds.solve
@@ -82,7 +83,7 @@ std::vector<std::string> references_of(const StoredResults& results, const std::
 }
 
 void describe_errors(Chart& chart, const ChartErrors& errors, const StoredRun& run) {
-  chart.relative = errors.relative(run);
+  chart.relative = errors.relative;
   chart.unit = errors.unit(run);
   chart.dim = run.record.dim;
 }
@@ -134,8 +135,9 @@ std::string label(Cost cost) { return std::string(std::ranges::find(costs, cost,
 
 std::string without_error(const ChartPoint& point) {
   if (point.error) return "";
-  if (!point.measured) return point.stable ? "no value" : point.verdict;
-  return point.stable ? "no reference" : "no reference, " + point.verdict;
+  if (point.comparable && !point.measured) return point.stable ? "no value" : point.verdict;
+  const std::string reason = point.comparable ? "no reference" : "no relative error: the reference is 0";
+  return point.stable ? reason : fmt::format("{}, {}", reason, point.verdict);
 }
 
 std::string shown_error(const Chart& chart, double error) {
@@ -161,9 +163,10 @@ std::optional<double> convergence_order(const std::vector<ChartPoint>& points) {
 }
 
 Chart make_chart(const StoredResults& given, const ChartRequest& request) {
-  const ChartErrors errors = chosen_errors(given, request);
+  ChartErrors errors = chosen_errors(given, request);
   StoredResults results = given;
   keep_methods(results, request.methods);
+  errors.choose_kind(results.runs);
   Chart chart;
   chart.title = results.title;
   chart.scene = results.scene;

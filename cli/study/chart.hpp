@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/study/stored_results.hpp"
+#include "engine/error.hpp"
 
 namespace taut::cli {
 
@@ -35,8 +36,9 @@ struct ChartRequest {
 struct ChartPoint {
   double spacing = 0;  // m
   std::optional<double> error;
-  bool measured = true;  // false if it has no value, whatever the reference
-  double cost = 0;       // s or particle-steps; 0: unknown
+  bool measured = true;    // false if it has no value, whatever the reference
+  bool comparable = true;  // false for an absolute error among relative ones
+  double cost = 0;         // s or particle-steps; 0: unknown
   std::string verdict{}, folder{};
   std::string cfl{}, stepping{};  // empty: unknown
   bool stable = true;
@@ -71,6 +73,12 @@ struct Chart {
   std::string kind{};      // of the measure: "rmse"
 };
 
+/// No run has an error of the requested measure.
+class NoErrors : public UsageError {
+ public:
+  using UsageError::UsageError;
+};
+
 /// Costs are doubtful from this load on.
 inline constexpr double busy_load = 0.5;
 
@@ -87,7 +95,8 @@ std::string shown_cost(double cost);
 std::optional<double> convergence_order(const std::vector<ChartPoint>& points);
 
 /// The default measure has the most errors; times (`*_time`) and errors with a unit come last. Of runs with the same
-/// spacing the cheapest counts. Throws UsageError.
+/// spacing the cheapest counts. If any run has a relative error, absolute errors are left out. Throws NoErrors and
+/// UsageError.
 Chart make_chart(const StoredResults& results, const ChartRequest& request);
 
 }  // namespace taut::cli

@@ -51,8 +51,13 @@ ChartErrors against_finest(const StoredResults& results, const std::string& meth
 }
 
 ChartErrors errors_of(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
-  if (request.run) return {measure, {&*request.run}};
-  return request.against.empty() ? ChartErrors{measure} : against_finest(results, request.against, measure);
+  ChartErrors errors{measure};
+  if (request.run)
+    errors.against = {&*request.run};
+  else if (!request.against.empty())
+    errors = against_finest(results, request.against, measure);
+  errors.choose_kind(results.runs);
+  return errors;
 }
 
 bool has_errors(const StoredResults& results, const std::string& measure, const ChartRequest& request) {
@@ -96,16 +101,25 @@ std::string not_ended(const StoredResults& results) {
   return count == 0 ? "" : fmt::format("; {} of {} runs have not ended", count, results.runs.size());
 }
 
+bool all_diverged(const StoredResults& results) {
+  const auto diverged = [](const StoredRun& run) { return run.record.verdict == Verdict::diverged; };
+  const auto with_result = [](const StoredRun& run) { return run.has_result(); };
+  return std::ranges::any_of(results.runs, with_result) &&
+         std::ranges::none_of(results.runs,
+                              [&](const StoredRun& run) { return with_result(run) && !diverged(run); });
+}
+
 std::string nothing_charted(const StoredResults& results, const ChartRequest& request) {
   if (request.run)
     return fmt::format("the runs and '{}' have no measure in common with a value", request.run->file);
   if (!request.against.empty())
     return fmt::format("no stable run of {} in the results of {} has a value that another run has, too",
                        request.against, results.scene);
-  return fmt::format(
-      "no measure in the results of {} has an error: "
-      "the scene has no references for these parameters, or the runs were too short{}{}",
-      results.scene, not_ended(results), hint(results));
+  return fmt::format("no measure in the results of {} has an error: {}{}{}", results.scene,
+                     all_diverged(results)
+                         ? "all runs diverged"
+                         : "the scene has no references for these parameters, or the runs were too short",
+                     not_ended(results), hint(results));
 }
 
 std::string no_error_of(const StoredResults& results, const ChartRequest& request, const NameList& charted) {
@@ -116,6 +130,8 @@ std::string no_error_of(const StoredResults& results, const ChartRequest& reques
                                 request.against);
   if (methods_in(results).empty())
     why = "no run has a result yet";
+  else if (all_diverged(results))
+    why = "all runs diverged";
   else if (request.run)
     why = fmt::format("'{}' has no value of this measure, or no other run has one", request.run->file);
   else if (request.against.empty())
@@ -147,7 +163,20 @@ const StoredRun* ChartErrors::reference_of(const StoredRun& run) const {
   return found == against.end() ? nullptr : *found;
 }
 
+void ChartErrors::choose_kind(const std::vector<StoredRun>& runs) {
+  relative = std::ranges::any_of(
+      runs, [&](const StoredRun& run) { return is_relative(run) && of_any_kind(run).has_value(); });
+}
+
 std::optional<double> ChartErrors::of(const StoredRun& run) const {
+  return is_relative(run) == relative ? of_any_kind(run) : std::nullopt;
+}
+
+bool ChartErrors::comparable(const StoredRun& run) const {
+  return is_relative(run) == relative || !of_any_kind(run);
+}
+
+std::optional<double> ChartErrors::of_any_kind(const StoredRun& run) const {
   if (!run.has_result()) return std::nullopt;
   if (against.empty()) return finite(run.record.measure(measure).error);
   const StoredRun* const reference_run = reference_of(run);
@@ -161,7 +190,7 @@ bool ChartErrors::measured(const StoredRun& run) const {
   return run.value_of(measure) || run.record.measure(measure).why.find("reference") != std::string::npos;
 }
 
-bool ChartErrors::relative(const StoredRun& run) const {
+bool ChartErrors::is_relative(const StoredRun& run) const {
   const StoredRun* const reference_run = reference_of(run);
   return (reference_run ? reference_run->value_of(measure) : run.record.measure(measure).reference)
              .value_or(0) != 0;
@@ -169,7 +198,7 @@ bool ChartErrors::relative(const StoredRun& run) const {
 
 std::string ChartErrors::unit(const StoredRun& run) const {
   const std::string& unit = run.record.measure(measure).unit;
-  return relative(run) || unit == "1" ? "" : unit;
+  return relative || unit == "1" ? "" : unit;
 }
 
 ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& request) {
@@ -187,11 +216,11 @@ ChartErrors chosen_errors(const StoredResults& results, const ChartRequest& requ
           "{} is already an error relative to a reference of the scene: leave out --against{}",
           request.measure, charted.empty() ? "" : "; measures that can be compared: " + join(charted)));
   }
-  if (charted.empty()) throw UsageError(nothing_charted(results, request));
+  if (charted.empty()) throw NoErrors(nothing_charted(results, request));
   if (request.measure.empty()) return errors_of(results, default_measure(results, charted, request), request);
   if (std::ranges::find(charted, request.measure) != charted.end())
     return errors_of(results, request.measure, request);
-  throw UsageError(no_error_of(results, request, charted));
+  throw NoErrors(no_error_of(results, request, charted));
 }
 
 }  // namespace taut::cli

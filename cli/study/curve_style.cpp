@@ -23,20 +23,36 @@ constexpr std::array markers = {7, 5, 9, 13, 11, 15};  // filled; one less: open
 constexpr std::size_t same_marker = std::lcm(colors.size(), markers.size());
 constexpr std::array dashes = {1, 2, 4, 3, 5};
 
+using Rgb = std::array<double, 3>;  // 0 to 255
+
 // viridis without colours that are hardly visible on white
-constexpr std::array<std::array<double, 3>, 5> ramp = {
+constexpr std::array<Rgb, 5> ramp = {
     {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {144, 215, 65}}};
 constexpr std::array ramp_dashes = {1, 2, 4};
 constexpr std::size_t most_solid = 8;  // without dashes
 
+std::string mixed(const Rgb& a, const Rgb& b, double share_of_b) {
+  std::string color = "#";
+  for (std::size_t c = 0; c < 3; ++c)
+    color += fmt::format("{:02X}", std::lround(std::lerp(a[c], b[c], share_of_b)));
+  return color;
+}
+
 std::string ramp_color(double t) {
   const double place = t * (ramp.size() - 1);
   const std::size_t k = std::min(static_cast<std::size_t>(place), ramp.size() - 2);
-  std::string color = "#";
-  for (std::size_t c = 0; c < 3; ++c)
-    color += fmt::format("{:02X}",
-                         std::lround(std::lerp(ramp[k][c], ramp[k + 1][c], place - static_cast<double>(k))));
-  return color;
+  return mixed(ramp[k], ramp[k + 1], place - static_cast<double>(k));
+}
+
+/// From dark (0) to light (1), with the same brightness for all colours.
+std::string shade(const std::string& color, double t) {
+  constexpr double darkest = 0.2, lightest = 0.72;  // brightness still visible on white
+  Rgb rgb{};
+  for (std::size_t c = 0; c < 3; ++c) rgb[c] = std::stoi(color.substr(1 + 2 * c, 2), nullptr, 16);
+  const double own = (0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2]) / 255;  // luma of ITU-R BT.601
+  const double wanted = std::lerp(darkest, lightest, t);
+  return wanted < own ? mixed({0, 0, 0}, rgb, wanted / own)
+                      : mixed(rgb, {255, 255, 255}, (wanted - own) / (1 - own));
 }
 
 /// Index in the catalogue; beyond its end if unknown.
@@ -85,15 +101,21 @@ CurveStyle numbered_style(std::size_t k) {
   return {colors[k % colors.size()], dashes[k / colors.size() % dashes.size()], filled, filled - 1};
 }
 
-std::vector<CurveStyle> line_styles(const std::vector<std::string>& names) {
+std::vector<CurveStyle> line_styles(const std::vector<std::string>& names, bool has_columns) {
   std::vector<CurveStyle> all = curve_styles(names);
-  std::set<std::string> lines;
-  for (const CurveStyle& style : all) lines.insert(style.line());
-  const bool of_one = std::ranges::count(names, names.front()) == std::ssize(names);
-  if (names.size() < 2 || (lines.size() == names.size() && !of_one)) return all;
+  const std::size_t methods = std::set(names.begin(), names.end()).size();
+  if (names.size() < 2 || (methods == names.size() && !has_columns)) return all;
+  std::map<std::string, std::size_t> lines, placed;  // by colour, which several methods may share
+  for (const CurveStyle& style : all) ++lines[style.color];
+  std::map<std::string, int> dash_of;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    all[k].color = ramp_color(static_cast<double>(k) / static_cast<double>(all.size() - 1));
-    all[k].dash = all.size() > most_solid ? ramp_dashes[k % ramp_dashes.size()] : 1;
+    const std::string color = all[k].color;
+    const std::size_t place = placed[color]++;
+    all[k].dash = dash_of.try_emplace(names[k], methods > 1 ? all[k].dash : 1).first->second;
+    if (lines[color] > most_solid) all[k].dash = ramp_dashes[place % ramp_dashes.size()];
+    if (lines[color] == 1) continue;
+    const double t = static_cast<double>(place) / static_cast<double>(lines[color] - 1);
+    all[k].color = methods > 1 ? shade(color, t) : ramp_color(t);
   }
   return all;
 }

@@ -18,8 +18,9 @@ struct CurveStyle {
 std::vector<CurveStyle> curve_styles(const std::vector<std::string>& methods);
 /// Number of pairs of a colour and a marker.
 std::size_t most_marked_lines();
-/// For lines without markers. If some would look alike, or all have one method, all get colours from dark to light.
-std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods);
+/// For lines without markers. Lines of one colour get shades, and lines of a single method get colours, from dark to
+/// light. Methods with one line each keep their own styles, unless `has_columns`: the dashes then belong to columns.
+std::vector<CurveStyle> line_styles(const std::vector<std::string>& methods, bool has_columns = false);
 /// For lines that stand for no method.
 CurveStyle numbered_style(std::size_t k);
 inline constexpr const char* reference_line = "with lines linewidth 1.5 linecolor '#111111' dashtype '-'";

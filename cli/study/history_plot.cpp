@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -44,17 +45,17 @@ std::vector<std::vector<double>> rows_of(const CsvTable& table, const std::vecto
   return rows;
 }
 
-/// Sorts runs that differ in one number.
+/// Groups runs that differ only in the last number of their names, such as those of a method, and sorts each group.
 void put_in_order(std::vector<NamedRun>& runs) {
   const auto number = [](const NamedRun& run) {
     return parsed<double>(run.name.substr(run.name.rfind('=') + 1));
   };
-  const auto begins_alike = [&](const NamedRun& run) {
-    const auto of_name = [](const NamedRun& one) { return one.name.substr(0, one.name.rfind('=')); };
-    return of_name(run) == of_name(runs.front()) && number(run);
-  };
-  if (!std::ranges::all_of(runs, begins_alike)) return;
-  std::ranges::stable_sort(runs, {}, [&](const NamedRun& run) { return *number(run); });
+  const auto beginning = [](const NamedRun& run) { return run.name.substr(0, run.name.rfind('=')); };
+  if (!std::ranges::all_of(runs, [&](const NamedRun& run) { return number(run).has_value(); })) return;
+  std::map<std::string, std::size_t> groups;
+  for (const NamedRun& run : runs) groups.try_emplace(beginning(run), groups.size());
+  std::ranges::stable_sort(
+      runs, {}, [&](const NamedRun& run) { return std::pair(groups[beginning(run)], *number(run)); });
 }
 
 }  // namespace
@@ -226,6 +227,21 @@ PanelPlot::Panel panel_of(const HistoryPlot& plot, const std::vector<std::size_t
 
 }  // namespace
 
+std::string hidden_by_log(const HistoryPlot& plot, const PlotLook& look) {
+  std::vector<std::string> names;
+  const auto add_column = [&](const std::string& name, std::size_t place, const auto& is_hidden) {
+    const auto hides = [&](const HistoryPlot::Curve& curve) {
+      return std::ranges::any_of(curve.rows, [&](const auto& row) { return is_hidden(row[place]); });
+    };
+    if (std::ranges::any_of(plot.curves, hides)) names.push_back(name);
+  };
+  // every history begins at t = 0
+  if (look.log_x) add_column(plot.x.name, 0, [](double value) { return value < 0; });
+  for (std::size_t k = 0; look.log_y && k < plot.columns.size(); ++k)
+    add_column(plot.columns[k].name, k + 1, [](double value) { return value <= 0; });
+  return names.empty() ? "" : "values ≤ 0 are not drawn on logarithmic axes: " + join(names);
+}
+
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files, const PlotLook& look) {
   const bool of_one = is_of_one_method(plot);
   HistoryLegend legend;
@@ -234,7 +250,9 @@ std::string history_script(const HistoryPlot& plot, const PlotFiles& files, cons
     legend.names.push_back(shortened(of_one ? curve.name.substr(curve.method.size() + 2) : curve.name));
     methods.push_back(curve.method);
   }
-  legend.styles = line_styles(methods);
+  const bool has_columns =
+      std::ranges::any_of(plot.panels, [](const auto& panel) { return panel.size() > 1; });
+  legend.styles = line_styles(methods, has_columns);
   const ValueRange of_x = values_of(plot, 0, look.log_x);
   if (look.log_x && of_x.low > of_x.high)
     throw UsageError(fmt::format("no value of {} is positive; leave out --log x", plot.x.name));

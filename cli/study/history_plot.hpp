@@ -45,6 +45,8 @@ HistoryPlot make_history_plot(const StoredResults& results, const std::vector<Hi
 
 /// Curves, then references; SI units.
 std::string history_data(const HistoryPlot& plot);
+/// Note about values ≤ 0 that logarithmic axes omit; empty if there are none.
+std::string hidden_by_log(const HistoryPlot& plot, const PlotLook& look);
 std::string history_script(const HistoryPlot& plot, const PlotFiles& files, const PlotLook& look = {});
 
 }  // namespace taut::cli

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numeric>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include <fmt/core.h>
@@ -118,6 +119,17 @@ StoredSettings add_names(const fs::path& table, StoredResults& results) {
   return fixed;
 }
 
+/// Runs of a sweep have the same method unless methods are swept.
+void name_only_method(std::span<StoredRun> runs) {
+  std::set<std::string> methods;
+  for (const StoredRun& run : runs) {
+    if (!run.text("set.method").empty()) return;
+    if (const std::string name = run.method(); !name.empty()) methods.insert(name);
+  }
+  if (methods.size() != 1) return;
+  for (StoredRun& run : runs) run.record.method = *methods.begin();
+}
+
 void add_scene(StoredResults& results, const StoredRun& run) {
   const std::string& scene = run.record.scene;
   if (scene.empty()) return;
@@ -162,7 +174,11 @@ std::string StoredRun::text(std::string_view column) const {
   return found == by_column.end() || name(*found) != column ? "" : cells[*found].second;
 }
 
-std::string StoredRun::method() const { return record.method.empty() ? text("set.method") : record.method; }
+std::string StoredRun::method() const {
+  if (!record.method.empty()) return record.method;
+  const std::string swept = text("set.method");
+  return swept.empty() ? text("fixed.method") : swept;
+}
 
 std::optional<double> StoredRun::value_of(std::string_view measure) const {
   const std::optional<double> value = record.measure(measure).value;
@@ -199,8 +215,11 @@ StoredResults read_results(const std::vector<std::string>& files) {
     if (seen.size() == 1) results.fixed = fixed;
     std::erase_if(results.fixed,
                   [&](const auto& set) { return std::ranges::find(fixed, set) == fixed.end(); });
-    for (StoredRun& run : read_runs(file)) {
+    std::vector<StoredRun> runs = read_runs(file);
+    for (StoredRun& run : runs)
       for (const auto& [name, value] : fixed) run.cells.emplace_back(std::string(fixed_prefix) + name, value);
+    name_only_method(runs);
+    for (StoredRun& run : runs) {
       results.runs.push_back(std::move(run));
       add_scene(results, results.runs.back());
     }
@@ -272,6 +291,22 @@ std::string value_of(const StoredRun& run, const std::string& name) {
   return name == "jitter" ? "0" : "";  // omitted without jitter
 }
 
+namespace {
+
+/// Value as set: a run fits its spacing to the first body, and an unfinished run has only the text of an expression.
+std::string requested_value(const StoredRun& run, const std::string& name) {
+  std::string value = run.text(std::string(set_prefix) + name);
+  if (value.empty() && name == "spacing") value = run.text("spacing_asked");
+  return value.empty() ? value_of(run, name) : value;
+}
+
+/// Errors are shares of the reference, unless it is 0.
+bool has_reference(const StoredRun& run, const std::string& measure) {
+  return run.record.measure(measure).reference.value_or(0) != 0;
+}
+
+}  // namespace
+
 std::string ResultColumn::text(const StoredRun& run) const {
   return name == "method" ? run.method() : column.empty() ? value_of(run, name) : run.text(column);
 }
@@ -279,6 +314,7 @@ std::string ResultColumn::text(const StoredRun& run) const {
 std::optional<double> ResultColumn::number(const StoredRun& run) const {
   const auto value = parsed<double>(text(run));
   if (!value || !std::isfinite(*value)) return std::nullopt;
+  if (!relative_to.empty() && !has_reference(run, relative_to)) return std::nullopt;
   return is_share ? 100 * *value : *value;
 }
 
@@ -297,12 +333,11 @@ ResultColumn part_of_measure(const StoredResults& results, const std::string& na
   const std::string prefix = fmt::format("measures.{}.", measure);
   ResultColumn found{.name = name, .column = prefix + part, .unit = unit_in(results.runs, prefix + "unit")};
   if (part == "value") found.measure = measure;
-  // an error is a share of the reference, unless the reference is 0
-  const auto has_reference = [&](const StoredRun& run) {
-    return run.record.measure(measure).reference.value_or(0) != 0;
+  const auto is_relative = [&](const StoredRun& run) {
+    return has_reference(run, measure) && !run.text(found.column).empty();
   };
-  found.is_share =
-      part == "error" && (found.unit.empty() || std::ranges::any_of(results.runs, has_reference));
+  if (part == "error" && std::ranges::any_of(results.runs, is_relative)) found.relative_to = measure;
+  found.is_share = part == "error" && (found.unit.empty() || !found.relative_to.empty());
   if (found.is_share) found.unit = "%";
   return found;
 }
@@ -369,7 +404,7 @@ std::string series_name(const StoredRun& run, const std::vector<std::string>& co
   const MethodInfo* const method = find_method(run.method());
   std::string name = run.method();
   for (const std::string& column : columns) {
-    const std::string value = value_of(run, without_prefix(column));
+    const std::string value = requested_value(run, without_prefix(column));
     // methods have different default contact laws
     const bool is_default_contact = without_prefix(column) == "contact" && run.text("set.contact").empty() &&
                                     method && value == method->contact.name;

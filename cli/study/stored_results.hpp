@@ -28,7 +28,7 @@ struct StoredRun {
   /// Cell, or "". Prefer the members of `record`.
   std::string text(std::string_view column) const;
   bool has_result() const { return status == "finished" || status == "failed"; }
-  std::string method() const;  // empty if neither recorded nor swept
+  std::string method() const;  // empty if unknown
   std::string folder() const;
   std::string verdict() const { return record.verdict ? std::string(name(*record.verdict)) : ""; }
   bool is_stable() const { return has_result() && record.verdict == Verdict::stable; }
@@ -72,9 +72,10 @@ struct ResultColumn {
   std::string unit{};
   std::string measure{};  // empty: another quantity
   bool is_share = false;
+  std::string relative_to{};  // measure of a relative error
 
   std::string text(const StoredRun& run) const;
-  /// Finite, in `unit`.
+  /// Finite, in `unit`. Nullopt for an absolute error in a column of relative errors.
   std::optional<double> number(const StoredRun& run) const;
 };
 /// Throws UsageError for an unknown name.

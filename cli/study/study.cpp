@@ -138,7 +138,11 @@ int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& fo
     const std::string& measure = chart.request.measure;
     const std::string name = measure.empty() ? "chart.png" : fmt::format("chart-{}.png", measure);
     streams.out << '\n';
-    if (code == exit_fine) code = draw_chart(results, chart.request, {folder / name}, streams);
+    if (code == exit_fine) try {
+        code = draw_chart(results, chart.request, {folder / name}, streams);
+      } catch (const NoErrors& error) {
+        streams.err << "taut: " << name << " is not drawn: " << error.what() << '\n';
+      }
   }
   if (pictures.map && code == exit_fine) {
     streams.out << '\n';
@@ -184,6 +188,8 @@ int draw_history(const HistoryPlot& plot, const PlotFiles& files, Streams stream
     streams.err << "taut: " << files.picture.string() << " has " << plot.curves.size() << " lines; only "
                 << most_distinct_lines << " can be told apart; their numbers are in "
                 << files.data().filename().string() << '\n';
+  const std::string hidden = hidden_by_log(plot, look);
+  if (!hidden.empty()) streams.err << "taut: " << hidden << '\n';
   const int code = draw_plot(files, history_script(plot, files, look), history_data(plot));
   print_files(plot.kind, files, "", streams);
   return code;

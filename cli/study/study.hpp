@@ -55,10 +55,10 @@ struct AvailableData {
 void check_pictures(const StudyPictures& pictures, const std::filesystem::path& file,
                     const AvailableData& available);
 
-/// Returns the exit code. Throws UsageError and OutputError.
+/// Leaves out charts without errors, with a message. Returns the exit code. Throws UsageError and OutputError.
 int draw_pictures(const StudyPictures& pictures, const std::filesystem::path& folder, Streams streams);
 
-/// Prints warnings. Throws UsageError.
+/// Prints warnings. Throws like make_chart().
 Chart read_chart(const std::vector<std::string>& results, const ChartRequest& request, std::ostream& err);
 /// Return the exit code. Throw UsageError and OutputError.
 int draw_chart(const std::vector<std::string>& results, const ChartRequest& request, const PlotFiles& files,

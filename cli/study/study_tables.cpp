@@ -39,11 +39,13 @@ std::string study_tables(const StudyPictures& pictures, const std::vector<std::s
   const StoredResults all = read_results(results);
   std::string page =
       fmt::format("# {}\n\nMade by `taut sweep` from the stored results; do not edit.\n", all.title);
-  for (const StudyPictures::Charted& chart : pictures.charts) {
-    const Chart charted = make_chart(all, chart.request);
-    page += "\n" + markdown(charted);
-    if (const std::string prices = markdown_of_prices(charted); !prices.empty()) page += "\n" + prices;
-  }
+  for (const StudyPictures::Charted& chart : pictures.charts) try {
+      const Chart charted = make_chart(all, chart.request);
+      page += "\n" + markdown(charted);
+      if (const std::string prices = markdown_of_prices(charted); !prices.empty()) page += "\n" + prices;
+    } catch (const NoErrors&) {
+      // draw_pictures() reports charts without errors
+    }
   if (pictures.map) page += "\n" + markdown(make_map(all, pictures.map->request));
   if (!pictures.history.empty()) page += "\n" + measures_of_runs(all);
   return page;

@@ -74,7 +74,7 @@ void declare_sweep_options(Options& command, SweepOptions& o) {
                     "sweep file, or its name in scenes/studies/; with --grid, a scene as for `taut run`")
       .required();
   command
-      .add("--grid", "NAME=VALUES ...", o.grid,
+      .add("--grid", "NAME=VALUES", o.grid,
            "name that --set takes, such as a parameter, method, spacing or jitter, and its values: "
            "v1,v2,... or lo:hi:step, both ends included; several --grid give every combination")
       .one_word_each();

@@ -28,6 +28,14 @@ bool are_of_one_run(const std::string& one, const std::string& other, bool drawn
   return false;
 }
 
+/// Records of older versions contain neither key and agree.
+bool has_same_files(const RunRecord& found, const SweepRun& planned) {
+  const bool same_input = found.file_checksum.empty() || found.file_checksum == planned.file_checksum;
+  const bool same_particles = planned.options.save_particles.empty() || !found.saved_particles ||
+                              found.saved_particles == planned.saved_particles;
+  return same_input && same_particles;
+}
+
 RunOptions options_of(const SweepRequest& request, const GridRow& row, const Setting* without = nullptr) {
   RunOptions options = request.base;
   for (const GridRow* settings : {&request.set, &row})
@@ -160,7 +168,7 @@ std::string_view name(SweepRunState state) {
     case SweepRunState::to_do:
       return "to do";
     case SweepRunState::outdated:
-      return "to do: finished with other settings or another version of taut";
+      return "to do: finished with other settings, other input files or another version of taut";
     case SweepRunState::interrupted:
       return "to do: interrupted";
     case SweepRunState::damaged:
@@ -177,6 +185,13 @@ std::vector<SweepRun*> SweepRun::all() {
   std::vector<SweepRun*> runs{this};
   for (SweepRun& repetition : repetitions) runs.push_back(&repetition);
   return runs;
+}
+
+const SweepRun& SweepRun::first_unfinished() const {
+  if (state != SweepRunState::done) return *this;
+  const auto other = std::ranges::find_if(
+      repetitions, [](const SweepRun& repetition) { return repetition.state != SweepRunState::done; });
+  return other == repetitions.end() ? *this : *other;
 }
 
 std::optional<RepeatedCost> SweepRun::cost() const {
@@ -207,7 +222,7 @@ void SweepRun::read_folder() {
   if (!found && files.is_damaged()) state = SweepRunState::damaged;
   if (!found) return;
   seconds = seconds_taken(*found);
-  const bool same = found->version == build_info.version &&
+  const bool same = found->version == build_info.version && has_same_files(*found, *this) &&
                     are_of_one_run(read_whole(files.scene()).value_or(""), scene, last_frame >= 0);
   const bool failed = found->status == Status::failed;
   // a failure other than divergence gives no result
@@ -258,6 +273,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
       if (const std::string same = spacings.add(row, file.scene.spacing); !same.empty())
         plan.remarks.insert(same);
       run.scene = planned.scene_text();
+      run.file_checksum = planned.file_checksum;
+      run.saved_particles = planned.saved_particles();
       run.last_frame = run.options.no_render ? -1 : file.drawing.frames;
       run.work = work_of(file);
       if (plan.runs.empty()) {

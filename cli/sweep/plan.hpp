@@ -13,7 +13,7 @@ namespace taut::cli {
 
 enum class SweepRunState {
   to_do,
-  outdated,     // other settings or version
+  outdated,     // other settings, input files or version
   interrupted,  // run.json without a result
   damaged,      // unreadable run.json
   broken,       // crash, kill or error
@@ -33,7 +33,8 @@ struct SweepRun {
   GridRow settings;
   RunOptions options;
   std::string folder;
-  std::string scene;
+  std::string scene, file_checksum;
+  std::optional<SavedParticles> saved_particles;
   int last_frame = -1;  // -1: none
   double work = 0;      // relative duration
   bool forced = false;  // repeat even if done
@@ -46,6 +47,8 @@ struct SweepRun {
   /// Includes repetitions.
   std::vector<SweepRun*> all();
   std::optional<RepeatedCost> cost() const;
+  /// Returns this run or its first repetition without a result; this run if all have one.
+  const SweepRun& first_unfinished() const;
   bool has_diverged() const { return record && record->status == RunRecord::Status::failed; }
   void read_folder();
   void forget();

@@ -33,7 +33,8 @@ Json run_json(const SweepRun& run) {
     results["repeated"] = {{"runs", cost->runs}, {"cpu_spread", cost->spread}};
   const Json* status = results.find("status");
   json["status"] = status ? *status : Json(run.state == SweepRunState::broken ? "error" : "to do");
-  json["message"] = run.problem.empty() ? Json() : Json(run.problem);
+  const std::string& problem = run.first_unfinished().problem;
+  json["message"] = problem.empty() ? Json() : Json(problem);
   json["folder"] = run.folder;
   return json.with(results);
 }
@@ -123,8 +124,10 @@ void write_results(const SweepPlan& plan) {
 
 TestCase test_case(const SweepRun& run, const std::optional<Verdict>& fail_on) {
   using Result = TestCase::Result;
-  TestCase test{text_of(run.settings), Result::error, run.problem.empty() ? outcome(run) : run.problem};
-  if (run.state != SweepRunState::done) return test;
+  const SweepRun& unfinished = run.first_unfinished();
+  TestCase test{text_of(run.settings), Result::error,
+                unfinished.problem.empty() ? outcome(unfinished) : unfinished.problem};
+  if (unfinished.state != SweepRunState::done) return test;
   test.result = fail_on && run.record->verdict >= fail_on ? Result::failed : Result::passed;
   test.seconds = run.seconds;
   return test;

@@ -104,12 +104,17 @@ void SweepRunner::finish(Job& job) {
   const bool stopped = passed_on_ && (end.code == exit_by_signal(SIGTERM) || end.signal == SIGTERM);
   if (run.state != SweepRunState::done && !stopped) {
     const bool by_signal = end.signal != 0;
+    const bool changed = !by_signal && end.output.empty() && run.state == SweepRunState::outdated;
     run.state = SweepRunState::broken;
     run.record.reset();
-    run.problem = by_signal ? std::string("killed: ") + ::strsignal(end.signal) : last_line(end.output);
+    run.problem = by_signal ? std::string("killed: ") + ::strsignal(end.signal)
+                  : changed
+                      ? "the scene or a file that it names was changed during the sweep; repeat the sweep"
+                      : last_line(end.output);
     if (run.problem.empty()) run.problem = "ended with exit code " + std::to_string(end.code);
     const bool known = end.code == exit_wrong_input || end.code == exit_not_written;
-    end_.code = gravest(end_.code, !by_signal && known ? end.code : int{exit_bug});
+    const int of_child = !by_signal && known ? end.code : int{exit_bug};
+    end_.code = gravest(end_.code, changed ? int{exit_wrong_input} : of_child);
   }
   if (!stopped) {
     ++done_;

@@ -51,7 +51,8 @@ void add_frames(const EntryOutcome& outcome, Rows& rows) {
 
 std::string summary(const std::vector<EntryOutcome>& outcomes) {
   const auto failed = std::ranges::count(outcomes, false, &EntryOutcome::passed);
-  const std::string all = number(outcomes.size()) + (outcomes.size() == 1 ? " entry" : " entries");
+  if (outcomes.size() == 1) return failed == 0 ? "the entry passed\n" : "the entry failed\n";
+  const std::string all = number(outcomes.size()) + " entries";
   return failed == 0 ? "all of " + all + " passed\n" : std::to_string(failed) + " of " + all + " failed\n";
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <iterator>
 #include <string>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -151,9 +152,33 @@ int put_in_place(const fs::path& fresh, const fs::path& folder) {
   return error;
 }
 
+/// Whether a rename would destroy a name of the system: a device, a pipe, or a link such as /dev/stdout.
+bool is_special(const fs::path& path) {
+  struct stat found {};
+  if (::lstat(path.c_str(), &found) != 0) return false;
+  if (S_ISCHR(found.st_mode) || S_ISFIFO(found.st_mode)) return true;
+  std::error_code error;
+  const fs::path folder = fs::canonical(folder_of(path), error);
+  const auto below = [&](const char* of_system) { return !error && *std::next(folder.begin()) == of_system; };
+  return S_ISLNK(found.st_mode) && folder != folder.root_path() && (below("dev") || below("proc"));
+}
+
+/// Returns 0 or an errno. Opening a pipe does not wait for a reader.
+int write_through(const fs::path& path, std::string_view text) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  const int error = write_all(descriptor, text);
+  return ::close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
 }  // namespace
 
 void write_atomically(const fs::path& path, std::string_view text, Durability durability) {
+  if (is_special(path)) {
+    if (const int error = write_through(path, text)) fail(path, error);
+    return;
+  }
   const std::string temporary = path.string() + ".tmp";
   const int descriptor = open_new(temporary);
   if (descriptor < 0) fail(path, errno);

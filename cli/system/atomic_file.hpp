@@ -12,7 +12,7 @@ namespace taut::cli {
 /// `on_disk` survives power cuts but is slow.
 enum class Durability { from_crashes, on_disk };
 
-/// Throws OutputError.
+/// Throws OutputError. Devices, pipes and links in /dev and /proc are written to, not replaced.
 void write_atomically(const std::filesystem::path& path, std::string_view text,
                       Durability durability = Durability::from_crashes);
 

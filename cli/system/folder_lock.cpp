@@ -80,8 +80,7 @@ std::string in_use(const fs::path& folder, const Holder& holder) {
                              ? "another taut"
                              : fmt::format("`{}` (process {} on {}, since {})", holder.command,
                                            holder.process, holder.host, holder.since);
-  return fmt::format("'{}' is in use by {}; wait until it ends, or name another folder with --out",
-                     folder.string(), by);
+  return fmt::format("'{}' is in use by {}; wait until it ends, or name another folder", folder.string(), by);
 }
 
 }  // namespace

@@ -43,10 +43,10 @@ FaceContacts::FaceContacts(const SolverInput& input)
 
 void FaceContacts::refuse_thin(const Scene& scene) const {
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
-    if (std::ranges::binary_search(faces_.outline().body, b)) continue;
+    if (faces_.outline().closed[b]) continue;
     throw SceneError(
         "body." + scene.bodies[b].name,
-        fmt::format("the contact law 'surface' needs faces, and body '{}' is too thin to have one: "
+        fmt::format("the contact law 'surface' needs faces, and body '{}' is too thin to have all of them: "
                     "use a smaller spacing or another law",
                     scene.bodies[b].name));
   }

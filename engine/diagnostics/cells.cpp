@@ -8,13 +8,11 @@
 
 #include <Eigen/Geometry>
 
-#include "engine/neighbors/affine_fit.hpp"
-
 namespace taut {
 namespace {
 
 using Vector = Eigen::Vector3d;
-using Matrix = Eigen::Matrix3d;
+using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double adjacent = 1.35;  // in Cell::spacing, greatest distance of cells that share a side
 constexpr double torn = 1.5;       // stretch from which a neighbour no longer covers a cell
@@ -111,15 +109,19 @@ void Cells::find_ends(std::size_t i, double diameter) {
   }
 }
 
-void Cells::find_inverse(std::size_t i) {
-  Matrix moment = Matrix::Zero();
+LinearMap Cells::moment(std::size_t i) const {
+  LinearMap sum{};
   for (const std::size_t j : neighbors(i)) {
     const Vector X = vector(initial(i, j));
-    moment += X * X.transpose();
+    Eigen::Map<Matrix>(sum.data()) += X * X.transpose();
   }
-  LinearMap symmetric;
-  Eigen::Map<Matrix>(symmetric.data()) = moment;
-  cells_[i].inverse = inverse_moment(symmetric, static_cast<int>(dim_));
+  return sum;
+}
+
+void Cells::find_inverse(std::size_t i) {
+  const LinearMap of_neighbors = moment(i);
+  cells_[i].inverse = inverse_moment(of_neighbors, static_cast<int>(dim_));
+  cells_[i].thin = is_thin(of_neighbors, static_cast<int>(dim_));
 }
 
 void Cells::forget_distant() {
@@ -157,7 +159,10 @@ CellShapes Cells::at(std::span<const double> x) const {
     Matrix sum = Matrix::Zero();
     for (const std::size_t j : neighbors(i))
       sum += vector(change(i, j, x)) * vector(initial(i, j)).transpose();
-    const Matrix F = Matrix::Identity() + sum * Eigen::Map<const Matrix>(cells_[i].inverse.data());
+    LinearMap map;
+    Eigen::Map<Matrix> F(map.data());
+    F = Matrix::Identity() + sum * Eigen::Map<const Matrix>(cells_[i].inverse.data());
+    if (cells_[i].thin) map = turned_across(map, moment(i), static_cast<int>(dim_));
     shapes.particle.push_back(i);
     Vector centre = Vector::Zero();
     for (std::size_t k = 0; k < dim_; ++k) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/point.hpp"
+#include "engine/neighbors/affine_fit.hpp"
 
 namespace taut {
 
@@ -34,15 +35,17 @@ class Cells {
   };
   struct Cell {
     std::array<Side, 3> sides;
-    std::array<double, 9> inverse{};  // of Σ X_ij ⊗ X_ij, 1/m²
-    double spacing = 0;               // distance of the nearest neighbour, m
-    bool inside = false;              // has a neighbour on each side
+    LinearMap inverse{};  // of Σ X_ij ⊗ X_ij, 1/m²
+    double spacing = 0;   // distance of the nearest neighbour, m
+    bool inside = false;  // has a neighbour on each side
+    bool thin = false;    // see is_thin
   };
 
   Point initial(std::size_t i, std::size_t j) const;  // m
   std::span<const std::size_t> neighbors(std::size_t i) const;
   void find_axes(std::size_t i);
   void find_ends(std::size_t i, double diameter);
+  LinearMap moment(std::size_t i) const;  // of the neighbours, m²
   void find_inverse(std::size_t i);
   void forget_distant();
   Point change(std::size_t i, std::size_t j, std::span<const double> x) const;  // m

@@ -12,9 +12,7 @@ double change(const Point& now, const Point& given, const Point& start) {
   return std::hypot(now[0] - given[0] - start[0], now[1] - given[1] - start[1], now[2] - given[2] - start[2]);
 }
 
-std::optional<double> ratio(double change, double scale) {
-  return scale > 0 ? std::optional(change / scale) : std::nullopt;
-}
+double ratio(double change, double scale) { return change == 0 ? 0 : change / scale; }
 
 }  // namespace
 

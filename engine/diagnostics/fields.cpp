@@ -90,7 +90,10 @@ double equivalent_strain(const LinearMap& F) {
 std::vector<double> zigzag(const Snapshot& now) {
   std::vector<double> values(now.size());
   if (values.empty()) return values;
-  const double spacing = *std::ranges::max_element(now.diameter);
+  std::vector<double> diameter = now.diameter;
+  const auto middle = diameter.begin() + static_cast<std::ptrdiff_t>(diameter.size() / 2);
+  std::ranges::nth_element(diameter, middle);
+  const double spacing = *middle;  // some particles differ at edges and in aligned layers
   const AlternatingPart part = alternating_part(now, spacing);
   const std::vector<double> squared = alternating_sums(part, now, spacing).x;
   for (std::size_t row = 0; row < squared.size(); ++row)
@@ -170,11 +173,6 @@ const Field* find_field(std::string_view key, int dim) {
   const auto known = fields(dim);
   const auto found = std::ranges::find(known, key, &Field::key);
   return found == known.end() ? nullptr : &*found;
-}
-
-double Field::value(const Snapshot& now, std::size_t particle) const {
-  if (of_all) return of_all(now)[particle];
-  return of_map ? of_map(affine_map(now, particle)) : of_state(now, particle);
 }
 
 std::vector<double> evaluate(const Field& field, const Snapshot& snapshot) {

@@ -24,9 +24,6 @@ struct Field {
   double middle = 0;
   Counted counts = Counted::nothing;
   std::vector<double> (*of_all)(const Snapshot&) = nullptr;
-
-  /// `evaluate` is faster for many particles.
-  double value(const Snapshot& now, std::size_t particle) const;
 };
 
 std::span<const Field> fields(int dim = 3);

@@ -93,12 +93,11 @@ void LineRecorder::sample(const Snapshot& now) {
     const SampleLine& line = lines_[l];
     while (samples_[l].size() < line.times.size() && line.times[samples_[l].size()] <= now.time) {
       LineSample sample{now.time, now.step, {}};
-      const Field& field = field_of(line, now.dim);
+      const std::vector<double> values = evaluate(field_of(line, now.dim), now);
       for (const std::vector<PointWeight>& point :
            line.in_space ? points_of(line, now, nullptr) : points_[l]) {
         double value = point.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
-        for (const PointWeight& w : point)
-          value += w.weight * field.value(now, static_cast<std::size_t>(w.particle));
+        for (const PointWeight& w : point) value += w.weight * values[static_cast<std::size_t>(w.particle)];
         sample.value.push_back(value);
       }
       samples_[l].push_back(std::move(sample));

@@ -72,11 +72,14 @@ std::pair<double, double> span_of(const Source& source) {
   return {source.measure->from, source.measure->until.value_or(source.until)};
 }
 
+Measured starts_too_late(double begin, double end) {
+  return none("`from` is {:g} s; it must be before the end of the run, {:g} s", begin, end);
+}
+
 Measured time_integral(const Source& source) {
   const auto [begin, end] = span_of(source);
   const Curve& curve = source.curve.front();
-  if (!(begin < end))
-    return none("`from` is {:g} s; it must be before the end of the run, {:g} s", begin, end);
+  if (!(begin < end)) return starts_too_late(begin, end);
   return curve.t.back() < end ? too_short(end, curve.t.back()) : Measured(integral(curve, begin, end));
 }
 
@@ -214,6 +217,7 @@ Measured frequency(const Source& source) {
   const Curve& curve = source.curve.front();
   if (curve.t.back() < source.until) return too_short(source.until, curve.t.back());
   const std::array<double, 2>& band = source.measure->band;
+  if (!(source.measure->from < source.until)) return starts_too_late(source.measure->from, source.until);
   if (const Value peak = peak_frequency(curve, source.measure->from, source.until, band)) return *peak;
   return none("the spectrum has no peak between {:g} and {:g} Hz", band[0], band[1]);
 }

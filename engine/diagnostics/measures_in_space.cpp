@@ -87,16 +87,16 @@ double squared(const Point& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
 
 std::optional<FieldError> field_error(const Measure& measure, const Snapshot& now,
                                       const std::vector<Solution>& exact) {
-  const std::vector<const Field*> fields = fields_of(measure, now.dim);
+  const std::vector<std::vector<double>> values = evaluate(fields_of(measure, now.dim), now);
   std::vector<Site> sites;
   double scale = 0, sum = 0, greatest = 0;  // squared
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now.body[i] != measure.body || now.clamped[i]) continue;
     Site site{now.initial(i), {}, now.m[i]};
     Point should{};
-    for (std::size_t k = 0; k < fields.size(); ++k) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
       should[k] = exact[k](site.X, now.time);
-      site.difference[k] = fields[k]->value(now, i) - should[k];
+      site.difference[k] = values[k][i] - should[k];
     }
     scale = std::max(scale, squared(should));
     sites.push_back(site);
@@ -155,8 +155,16 @@ Measured without_end(const Source& source) {
   return none(no_reference);
 }
 
+bool is_clamped(const Snapshot& now, int body) {
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (now.body[i] == body && !now.clamped[i]) return false;
+  return true;
+}
+
 Measured without_field(const Source& source) {
   const bool at_end = source.now && source.now->time >= source.until;
+  if (at_end && is_clamped(*source.now, source.measure->body))
+    return none("all particles of the body are clamped");
   return at_end && source.reference.exact
              ? none("the reference is 0 everywhere, so there is no relative error")
              : without_end(source);
@@ -189,7 +197,8 @@ Measured greatest_field_error(const Source& source) {
 Measured volume_change(const Source& source) {
   if (!source.now || source.now->time < source.until) return without_end(source);
   const double before = lattice_volume(*source.now, source.measure->body, source.now->x0);
-  if (!(before > 0)) return none("the lattice of the body is not along the axes");
+  if (!(before > 0))
+    return none("the lattice of the body is not along the axes, or the body is one particle thick");
   return lattice_volume(*source.now, source.measure->body, source.now->x) / before - 1;
 }
 

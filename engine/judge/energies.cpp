@@ -241,7 +241,9 @@ void EnergyTest::watch_turn(const std::vector<Group>& all, const std::vector<Sum
     const Point change = sum(spin, -1, start_spin);
     spin_scale_[g] = std::max(spin_scale_[g], std::sqrt(inertia * 2 * kinetic));
     constexpr double named = 0.01;
-    const double floor = std::sqrt(inertia * group.mass * rounding_ * 1e4);  // speeds of 1e-6 sound speeds
+    // speeds of 1e-6 sound speeds; a single particle has no inertia
+    const double wide = inertia + group.mass * scene_->spacing * scene_->spacing,
+                 floor = std::sqrt(wide * group.mass * rounding_ * 1e4);
     if (const double share = std::sqrt(dot(change, change)) / std::max(spin_scale_[g], floor);
         share > named) {
       if (turn_.greatest == 0) turn_.since = time;

@@ -223,6 +223,8 @@ void Penetration::search(const Snapshot& now) {
     around.for_each_around(place<Dim>(now.x, i), [&](int j) {
       if (is_far<Dim>(now, i, j)) near_.push_back(j);
     });
+    std::ranges::stable_sort(near_.begin() + begin, near_.end(), {},
+                             [&](int j) { return now.body[static_cast<std::size_t>(j)]; });
     tested_.push_back({i, begin, static_cast<int>(near_.size())});
   }
 }
@@ -249,17 +251,22 @@ bool Penetration::is_far(const Snapshot& now, int i, int j) const {
 
 template <int Dim, class Around>
 bool Penetration::is_inside(const Snapshot& now, const Tested& tested, Around& around) const {
-  around.clear();
-  bool at_surface = false;
-  for (int k = tested.begin; k < tested.end; ++k) {
-    const int j = near_[static_cast<std::size_t>(k)];
-    const Vec<double, Dim> d = place<Dim>(now.x, j) - place<Dim>(now.x, tested.particle);
-    const double r2 = dot(d, d) / (spacing_ * spacing_);
-    if (r2 >= near * near) continue;
-    if (r2 > shallow(Dim) * shallow(Dim)) around.add(d);
-    at_surface = at_surface || on_surface_[static_cast<std::size_t>(j)];
+  for (int k = tested.begin; k < tested.end;) {
+    around.clear();
+    bool at_surface = false;
+    const int body = now.body[static_cast<std::size_t>(near_[static_cast<std::size_t>(k)])];
+    for (; k < tested.end; ++k) {
+      const int j = near_[static_cast<std::size_t>(k)];
+      if (now.body[static_cast<std::size_t>(j)] != body) break;
+      const Vec<double, Dim> d = place<Dim>(now.x, j) - place<Dim>(now.x, tested.particle);
+      const double r2 = dot(d, d) / (spacing_ * spacing_);
+      if (r2 >= near * near) continue;
+      if (r2 > shallow(Dim) * shallow(Dim)) around.add(d);
+      at_surface = at_surface || on_surface_[static_cast<std::size_t>(j)];
+    }
+    if (at_surface && !around.leaves_gap()) return true;
   }
-  return at_surface && !around.leaves_gap();
+  return false;
 }
 
 }  // namespace taut

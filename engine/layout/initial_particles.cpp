@@ -23,10 +23,15 @@ namespace {
 constexpr double edge_tolerance = 1e-6;  // in dp
 constexpr double greatest_place_number = 1e9;
 
+/// Estimate from the measures of the shapes; too great if shapes overlap, are cut or have no exact measure.
 double expected_number(const Body& body, int dim, double dp) {
   double volume = 0;
   for (const Shape& shape : body.shapes) volume += shape->measure(dim);
   return volume / std::pow(dp, dim);
+}
+
+bool has_exact_number(const Body& body) {
+  return body.shapes.size() == 1 && body.without.empty() && body.shapes.front()->has_exact_measure();
 }
 
 std::size_t first_that_holds(const std::vector<Shape>& shapes, const Point& x, int dim, double tolerance) {
@@ -96,26 +101,35 @@ LatticeRows rows_of(const Body& body, int dim, double dp) {
   return rows;
 }
 
-}  // namespace
-
-std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
+/// Calls f(x, cut) for each site in the shapes until it returns false. `cut`: the first cut-out that holds the site, or
+/// the number of cut-outs.
+template <class F>
+void for_each_site(const Body& body, int dim, double dp, double tolerance, const F& f) {
   const LatticeRows rows = rows_of(body, dim, dp);
-  std::vector<InitialSite> sites;
-  std::vector<long> cut(body.without.size());
-  const double V0 = std::pow(dp, dim), edge = edge_tolerance * dp;
   for (long k = rows.from[2]; k <= rows.to[2]; ++k) {
     for (long j = rows.from[1]; j <= rows.to[1]; ++j) {
       for (long i = rows.from[0]; i <= rows.to[0]; ++i) {
         const Point x = body.shapes.front()->from_lattice(rows.at(i, j, k, dim));
-        if (first_that_holds(body.shapes, x, dim, edge) == body.shapes.size()) continue;
-        const std::size_t out = first_that_holds(body.without, x, dim, -edge);
-        if (out == body.without.size())
-          sites.push_back({.x = x, .V0 = V0});
-        else
-          ++cut[out];
+        if (first_that_holds(body.shapes, x, dim, tolerance) == body.shapes.size()) continue;
+        if (!f(x, first_that_holds(body.without, x, dim, -tolerance))) return;
       }
     }
   }
+}
+
+}  // namespace
+
+std::vector<InitialSite> lattice_sites(const Body& body, int dim, double dp) {
+  std::vector<InitialSite> sites;
+  std::vector<long> cut(body.without.size());
+  const double V0 = std::pow(dp, dim);
+  for_each_site(body, dim, dp, edge_tolerance * dp, [&](const Point& x, std::size_t out) {
+    if (out == body.without.size())
+      sites.push_back({.x = x, .V0 = V0});
+    else
+      ++cut[out];
+    return true;
+  });
   check_cuts(body, cut);
   return sites;
 }
@@ -271,14 +285,19 @@ void weigh_box(InitialParticles& layout, const Body& body, int first, int dim, d
   }
 }
 
+std::string reason_for_no_particle(const Body& body) {
+  if (!body.without.empty())
+    return "the rest of its shapes after 'without' is empty or thinner than the spacing; "
+           "choose a smaller spacing or smaller cut-outs";
+  if (std::ranges::all_of(body.shapes, [](const Shape& shape) { return shape->has_exact_measure(); }))
+    return "its shapes are smaller than the spacing; choose a smaller spacing";
+  return "its shapes are empty or thinner than the spacing; correct them or choose a smaller spacing";
+}
+
 void check_sites(const Body& body, const std::vector<InitialSite>& sites) {
   if (sites.empty())
-    throw SceneError("body." + body.name,
-                     fmt::format("body '{}' contains no particle: {}", body.name,
-                                 body.without.empty()
-                                     ? "its shapes are smaller than the spacing; choose a smaller spacing"
-                                     : "the rest of its shapes after 'without' is smaller than the spacing; "
-                                       "choose a smaller spacing or smaller cut-outs"));
+    throw SceneError("body." + body.name, fmt::format("body '{}' contains no particle: {}", body.name,
+                                                      reason_for_no_particle(body)));
   refuse_idle_hold(body, sites);
   refuse_empty(body.parts, sites, body, "parts");
   refuse_empty(body.drives, sites, body, "driven");
@@ -334,15 +353,35 @@ void append(InitialParticles& layout, const Scene& scene, int b) {
   if (body.on_boundary) weigh_box(layout, body, first, scene.dim, scene.spacing);
 }
 
+/// Counts particles if their estimated number exceeds the limit; without tolerance, which makes expressions slow.
+void refuse_too_many(const Scene& scene) {
+  const auto refuse = [&](const std::string& number) {
+    throw SceneError("spacing", fmt::format("a spacing of {:g} m would make {} million particles; "
+                                            "at most 20 million are allowed",
+                                            scene.spacing, number));
+  };
+  double number = 0, bound = 0;
+  for (const Body& body : scene.bodies) {
+    const double expected = expected_number(body, scene.dim, scene.spacing);
+    (has_exact_number(body) ? number : bound) += expected;
+  }
+  if (!(number <= greatest_particle_number)) refuse(fmt::format("about {:g}", number / 1e6));
+  if (number + bound <= greatest_particle_number) return;
+  for (const Body& body : scene.bodies) {
+    if (has_exact_number(body)) continue;
+    const Body laid = unplaced_body(body, scene.dim);
+    for_each_site(laid, scene.dim, scene.spacing, 0, [&](const Point&, std::size_t out) {
+      number += out == laid.without.size();
+      return number <= greatest_particle_number;
+    });
+    if (number > greatest_particle_number) refuse("more than 20");
+  }
+}
+
 }  // namespace
 
 InitialParticles make_initial_particles(const Scene& scene) {
-  double expected = 0;
-  for (const Body& body : scene.bodies) expected += expected_number(body, scene.dim, scene.spacing);
-  if (!(expected <= greatest_particle_number))
-    throw SceneError("spacing", fmt::format("a spacing of {:g} m would make about {:g} million particles; "
-                                            "at most 20 million are allowed",
-                                            scene.spacing, expected / 1e6));
+  refuse_too_many(scene);
   if (scene.element_order > 0) return make_element_nodes(scene);
   InitialParticles layout;
   layout.dim = scene.dim;

@@ -26,13 +26,34 @@ bool covered(const std::vector<Shape>& shapes, std::size_t own, const Point& x, 
   return false;
 }
 
+/// Point at `depth` behind the middle of a face, m.
+Point behind(const Point& a, const Point& b, double depth) {
+  const double off = depth / distance_between(a, b, 2);
+  return {0.5 * (a[0] + b[0]) - off * (b[1] - a[1]), 0.5 * (a[1] + b[1]) + off * (b[0] - a[0]), 0};
+}
+
 bool is_face(const Body& body, bool cut, std::size_t own, const Point& a, const Point& b, double dp) {
-  const double off = 1e-3 * dp / distance_between(a, b, 2);
-  const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0};
-  const Point before{middle[0] + off * (b[1] - a[1]), middle[1] - off * (b[0] - a[0]), 0};
-  const Point behind{middle[0] - off * (b[1] - a[1]), middle[1] + off * (b[0] - a[0]), 0};
-  if (cut) return any_holds(body.shapes, behind, 0) && !covered(body.without, own, behind, middle, dp);
-  return !any_holds(body.without, behind, 0) && !covered(body.shapes, own, before, middle, dp);
+  const double off = 1e-3 * dp;
+  const Point middle = behind(a, b, 0), inside = behind(a, b, off);
+  if (cut) return any_holds(body.shapes, inside, 0) && !covered(body.without, own, inside, middle, dp);
+  return !any_holds(body.without, inside, 0) && !covered(body.shapes, own, behind(a, b, -off), middle, dp);
+}
+
+/// Whether the body is one particle thick behind a face.
+bool is_thin(const Body& body, const Point& a, const Point& b, double dp) {
+  constexpr double thickness = 1.25;  // in spacings
+  const Point x = behind(a, b, thickness * dp);
+  return !body.on_boundary && (!any_holds(body.shapes, x, 0) || any_holds(body.without, x, 0));
+}
+
+/// Whether faces, given by their middles, are more than those of a tip.
+bool form_part(const std::vector<Point>& faces, double dp) {
+  constexpr long most = 12;     // both sides of a tip of 11°, or of a row of 5 particles
+  constexpr double around = 7;  // in spacings
+  return std::ranges::any_of(faces, [&](const Point& x) {
+    return std::ranges::count_if(
+               faces, [&](const Point& other) { return distance_between(x, other, 2) < around * dp; }) > most;
+  });
 }
 
 bool needs_clipping(const Body& body) {
@@ -62,19 +83,26 @@ class OutlineMaker {
 
  private:
   void add(int b) {
+    const int first = out_.size();
+    thin_.clear();
+    add_faces(b);
+    out_.closed.push_back(out_.size() > first && !form_part(thin_, scene_.spacing));
+  }
+
+  void add_faces(int b) {
     const Body body = unplaced_body(scene_.bodies[as_index(b)], scene_.dim);
     const NodeWeights particles(initial_, b, scene_.spacing);
     if (needs_clipping(body)) {
       const auto all_are = [](const Point&, const Point&) { return true; };
       for (const Chain& chain : whole_outline(body, scene_.dim, scene_.spacing))
-        add(b, chain, particles, all_are);
+        add(b, body, chain, particles, all_are);
       return;
     }
     const auto add_all = [&](const std::vector<Shape>& shapes, bool cut) {
       for (std::size_t own = 0; own < shapes.size(); ++own) {
         for (Chain& chain : shapes[own]->outline(scene_.dim, scene_.spacing)) {
           if (cut) std::ranges::reverse(chain);
-          add(b, chain, particles, [&](const Point& from, const Point& to) {
+          add(b, body, chain, particles, [&](const Point& from, const Point& to) {
             return is_face(body, cut, own, from, to, scene_.spacing);
           });
         }
@@ -85,7 +113,7 @@ class OutlineMaker {
   }
 
   template <class IsFace>
-  void add(int b, const Chain& chain, const NodeWeights& particles, const IsFace& is_face) {
+  void add(int b, const Body& body, const Chain& chain, const NodeWeights& particles, const IsFace& is_face) {
     const std::size_t n = chain.size();
     std::vector<int> node(n, Outline::none);
     for (std::size_t k = 0; k < n; ++k) {
@@ -93,7 +121,9 @@ class OutlineMaker {
       if (!is_face(from, to)) continue;
       const int first = node_at(node[k], b, from, particles),
                 second = node_at(node[(k + 1) % n], b, to, particles);
-      if (first == Outline::none || second == Outline::none) continue;
+      const bool omitted = first == Outline::none || second == Outline::none;
+      if (omitted || is_thin(body, from, to, scene_.spacing)) thin_.push_back(behind(from, to, 0));
+      if (omitted) continue;
       const std::array<bool, 3>& mirror = scene_.bodies[as_index(b)].mirror;
       const double sense = (mirror[0] != mirror[1]) ? -1 : 1;
       out_.beside[as_index(first)][1] = out_.beside[as_index(second)][0] =
@@ -125,11 +155,13 @@ class OutlineMaker {
   const InitialParticles& initial_;
   Outline out_;
   std::vector<int> open_;
+  std::vector<Point> thin_;  // middles of faces of the body where it is one particle thick, m
 };
 
 /// Segments on faces of finite elements.
-Outline outline_of(const InitialParticles& initial) {
+Outline outline_of(const Scene& scene, const InitialParticles& initial) {
   Outline out;
+  out.closed.assign(scene.bodies.size(), true);
   std::vector<int> known(initial.x.size(), Outline::none);
   const auto node_of = [&](int particle) {
     int& node = known[as_index(particle)];
@@ -154,7 +186,7 @@ Outline outline_of(const InitialParticles& initial) {
 
 Outline make_outline(const Scene& scene, const InitialParticles& initial) {
   if (scene.dim != 2) return {};
-  if (initial.mesh.order > 0) return outline_of(initial);
+  if (initial.mesh.order > 0) return outline_of(scene, initial);
   return OutlineMaker(scene, initial).make();
 }
 

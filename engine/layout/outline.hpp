@@ -21,6 +21,7 @@ struct Outline : FaceNodes {
   std::vector<int> body;                   // [node]
   std::vector<std::array<int, 2>> beside;  // [node] segments that end and begin there
   std::vector<Segment> segments;
+  std::vector<bool> closed;  // [body] no part is too thin to have faces, except tips
 
   int body_of(const Segment& segment) const { return body[static_cast<std::size_t>(segment.node[0])]; }
 };

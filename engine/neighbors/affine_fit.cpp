@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "engine/neighbors/neighbors.hpp"
@@ -14,6 +16,7 @@ using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double reach = 1.6;  // in spacings
+constexpr double thin = 1e-6;  // of the mean moment
 
 InitialPositions initial_positions(const Snapshot& now) { return {now.dim, now.x0, now.diameter, now.body}; }
 
@@ -43,8 +46,9 @@ LinearMap fitted(const Snapshot& now, std::size_t i, std::span<const std::size_t
     moment += X * X.transpose();
     sum += change * X.transpose();
   }
-  const LinearMap inverse = inverse_moment(linear_map(moment), now.dim);
-  return linear_map(Matrix::Identity() + sum * Eigen::Map<const Matrix>(inverse.data()));
+  const LinearMap all = linear_map(moment), inverse = inverse_moment(all, now.dim),
+                  F = linear_map(Matrix::Identity() + sum * Eigen::Map<const Matrix>(inverse.data()));
+  return is_thin(all, now.dim) ? turned_across(F, all, now.dim) : F;
 }
 
 }  // namespace
@@ -100,27 +104,36 @@ LinearMap inverse_moment(const LinearMap& moment, int dim) {
   return linear_map(regular.inverse());
 }
 
+bool is_thin(const LinearMap& moment, int dim) {
+  const Eigen::Map<const Matrix> all(moment.data());
+  const double mean = all.trace() / dim,
+               det = dim == 2 ? all.topLeftCorner<2, 2>().determinant() : all.determinant();
+  return mean > 0 && det < thin * std::pow(mean, dim);
+}
+
+LinearMap turned_across(const LinearMap& F, const LinearMap& moment, int dim) {
+  Matrix all = Eigen::Map<const Matrix>(moment.data()), map = Eigen::Map<const Matrix>(F.data());
+  if (dim == 2) all(2, 2) = all.trace();
+  const Eigen::SelfAdjointEigenSolver<Matrix> axes(all);  // eigenvalues increase
+  const Matrix& n = axes.eigenvectors();
+  const Vector u = map * n.col(2);
+  if (axes.eigenvalues()[1] < thin * all.trace()) {  // a row in 3D
+    map = u * n.col(2).transpose();
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(n.col(2), u);
+    for (const int k : {0, 1}) map += (turn * Vector(n.col(k))) * n.col(k).transpose();
+  } else {
+    const Vector normal = (map * n.col(1)).cross(u).normalized() * n.determinant();
+    map += (normal - map * n.col(0)) * n.col(0).transpose();
+  }
+  return linear_map(map);
+}
+
 std::vector<LinearMap> affine_maps(const Snapshot& now) {
   const FirstNeighbors neighbors = first_neighbors(initial_positions(now));
   std::vector<LinearMap> maps;
   maps.reserve(now.size());
   for (std::size_t i = 0; i < now.size(); ++i) maps.push_back(fitted(now, i, neighbors[i]));
   return maps;
-}
-
-LinearMap affine_map(const Snapshot& now, std::size_t i) {
-  const InitialPositions start = initial_positions(now);
-  const double widest = reach * std::ranges::max(now.diameter);
-  std::vector<std::size_t> found;
-  double nearest = 1e300;
-  for (std::size_t j = 0; j < now.size(); ++j) {
-    const double distance = now.body[j] == now.body[i] && j != i ? start.distance(i, j) : 1e300;
-    if (distance > widest) continue;
-    found.push_back(j);
-    nearest = std::min(nearest, distance);
-  }
-  keep_near(start, i, found, 0, nearest);
-  return fitted(now, i, found);
 }
 
 }  // namespace taut

@@ -38,8 +38,12 @@ FirstNeighbors first_neighbors(const InitialPositions& start);
 /// Regularised inverse of Σ X ⊗ X, 1/m²; in 2D with 1 for the third axis.
 LinearMap inverse_moment(const LinearMap& moment, int dim);
 
+/// Whether a body is one particle thick, so that Σ X ⊗ X has no inverse.
+bool is_thin(const LinearMap& moment, int dim);
+/// F of a thin body: directions across the body turn with it, without strain.
+LinearMap turned_across(const LinearMap& F, const LinearMap& moment, int dim);
+
 /// Least-squares F from the first neighbours, in 2D with F_zz = 1. Meaningless where a body has torn.
 std::vector<LinearMap> affine_maps(const Snapshot& now);
-LinearMap affine_map(const Snapshot& now, std::size_t i);
 
 }  // namespace taut

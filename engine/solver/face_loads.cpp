@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "engine/layout/layers.hpp"
 #include "engine/neighbors/neighbors_of_one.hpp"
 
 namespace taut {
@@ -71,7 +72,7 @@ Place<Dim> outwards(int i, const InitialParticles& initial, std::span<const int>
 /// Ratio of face area to layer area.
 template <int Dim>
 double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& initial,
-               std::span<const int> near, double spacing) {
+               std::span<const int> near, double spacing, double thickness) {
   double inside = 0, outside = 0;
   for (const int j : near) {
     const int other = position(layer.id, j);
@@ -80,7 +81,7 @@ double stretch(const FaceLayer& layer, std::size_t k, const InitialParticles& in
     if (d.norm() > layer_reach * spacing) continue;
     const Place<Dim> turn = place<Dim>(layer.normal[other]) - place<Dim>(layer.normal[k]);
     inside += d.norm();
-    outside += (d + 0.5 * spacing * turn).norm();
+    outside += (d + 0.5 * thickness * turn).norm();
   }
   return std::pow(inside > 0 ? outside / inside : 1, Dim - 1);
 }
@@ -207,7 +208,8 @@ bool are_of_two_faces(const std::vector<Point>& normals) {
 }
 
 template <int Dim>
-FaceLayer layer_of(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing) {
+FaceLayer layer_of(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing,
+                   double thickness) {
   const NeighborsOfOne<Dim> near(initial, close_reach * spacing);
   FaceLayer layer{.id = std::move(id), .normal = {}, .traction = {}, .area = {}};
   std::ranges::sort(layer.id);
@@ -219,11 +221,12 @@ FaceLayer layer_of(const Load& load, const InitialParticles& initial, std::vecto
   for (std::size_t k = 0; k < layer.id.size(); ++k) {
     const int i = layer.id[k];
     Point at = initial.x[i], t{};
-    for (int a = 0; a < Dim; ++a) at[a] += 0.5 * spacing * layer.normal[k][a];
+    for (int a = 0; a < Dim; ++a) at[a] += 0.5 * thickness * layer.normal[k][a];
     for (int a = 0; a < Dim; ++a)
       if (load.value[a]) t[a] = load.value[a](at);
     layer.traction.push_back(t);
-    layer.area.push_back(initial.V0[i] / spacing * stretch<Dim>(layer, k, initial, near(i), spacing));
+    layer.area.push_back(initial.V0[i] / thickness *
+                         stretch<Dim>(layer, k, initial, near(i), spacing, thickness));
   }
   return layer;
 }
@@ -270,9 +273,11 @@ std::vector<FaceShare> shares_of(FaceRule rule, const FaceLayer& layer, const In
 
 }  // namespace
 
-FaceLayer face_layer(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing) {
-  return initial.dim == 3 ? layer_of<3>(load, initial, std::move(id), spacing)
-                          : layer_of<2>(load, initial, std::move(id), spacing);
+FaceLayer face_layer(const Load& load, const Body& body, const InitialParticles& initial, std::vector<int> id,
+                     double spacing) {
+  const double thickness = layer_thickness(body, initial, id, spacing);
+  return initial.dim == 3 ? layer_of<3>(load, initial, std::move(id), spacing, thickness)
+                          : layer_of<2>(load, initial, std::move(id), spacing, thickness);
 }
 
 std::vector<FaceShare> face_shares(FaceRule rule, const FaceLayer& layer, const InitialParticles& initial,

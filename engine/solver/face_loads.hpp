@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// Outermost layer of particles, half a spacing inside a loaded face. `traction` and `area` refer to the face.
+/// Outermost layer of particles, half its thickness inside a loaded face. `traction` and `area` refer to the face.
 struct FaceLayer {
   std::vector<int> id;          // ascending
   std::vector<Point> normal;    // outward unit vectors
@@ -18,7 +18,9 @@ struct FaceLayer {
 };
 
 /// Returns an empty layer if the particles do not form a thin layer with the rest of the body on one side.
-FaceLayer face_layer(const Load& load, const InitialParticles& initial, std::vector<int> id, double spacing);
+/// `load` and `id` belong to `body`.
+FaceLayer face_layer(const Load& load, const Body& body, const InitialParticles& initial, std::vector<int> id,
+                     double spacing);
 
 /// Particle id and force, N.
 using FaceShare = std::pair<int, Point>;

@@ -1,22 +1,71 @@
 #include "engine/solver/loads.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 
 #include <fmt/core.h>
 
 #include "engine/error.hpp"
 #include "engine/layout/element_nodes.hpp"
+#include "engine/layout/layers.hpp"
 #include "engine/scene/shapes/box.hpp"
+#include "engine/scene/shapes/combined.hpp"
+#include "engine/scene/shapes/turned.hpp"
 
 namespace taut {
 
 namespace {
 
-/// On faces of other shapes, steps of the lattice look like edges.
+using Placement = std::function<Point(const Point&)>;
+
+/// Whether a placement maps each axis to an axis.
+bool keeps_axes(const Placement& place) {
+  constexpr double round_off = 1e-9;
+  const Point origin = place({});
+  for (std::size_t k = 0; k < origin.size(); ++k) {
+    Point end{};
+    end[k] = 1;
+    end = place(end);
+    long along = 0;
+    for (std::size_t a = 0; a < end.size(); ++a) along += std::abs(end[a] - origin[a]) > round_off;
+    if (along != 1) return false;
+  }
+  return true;
+}
+
+bool is_of_boxes(const Shape& shape, const Placement& to_lattice) {
+  if (shape.as<Box>()) return keeps_axes(to_lattice);
+  if (const auto* turned = shape.as<Turned>())
+    return is_of_boxes(turned->shape,
+                       [&](const Point& x) { return to_lattice(rotated(turned->rotation, x)); });
+  const auto* combined = shape.as<Combined>();
+  return combined && std::ranges::all_of(combined->shapes,
+                                         [&](const Shape& part) { return is_of_boxes(part, to_lattice); });
+}
+
+/// Whether all faces are along the lattice. On other faces, steps of the lattice look like edges.
 bool is_of_boxes(const Body& body) {
-  const auto is_box = [](const Shape& shape) { return shape.as<Box>() != nullptr; };
-  return std::ranges::all_of(body.shapes, is_box) && std::ranges::all_of(body.without, is_box);
+  const auto is_along = [&](const Shape& shape) {
+    return is_of_boxes(shape, [&](const Point& x) { return body.shapes.front()->to_lattice(x); });
+  };
+  return std::ranges::all_of(body.shapes, is_along) && std::ranges::all_of(body.without, is_along);
+}
+
+void refuse_deep_traction(const Load& load, const Body& body, const InitialParticles& initial,
+                          const std::vector<int>& loaded, double thickness) {
+  constexpr double deep = 1.4;
+  const double layers = layers_of_region(load.where, body, initial, loaded, thickness);
+  if (layers < deep) return;
+  throw SceneError(
+      fmt::format("body.{}.loaded", body.name),
+      fmt::format("loaded[{}]: the region of a traction on body '{}' {}. "
+                  "A traction acts on the outermost layer of particles: "
+                  "end its 'where' one spacing below the face, such as x > 0.04 - dp for the face x = 0.04, "
+                  "or give a force_density",
+                  &load - body.loads.data(), body.name,
+                  std::isinf(layers) ? "lies inside the body" : "is more than one layer deep"));
 }
 
 }  // namespace
@@ -61,7 +110,7 @@ void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initia
       if (load.kind != Load::Kind::traction) continue;
       std::vector<int> ids;
       for (const auto& [id, force] : shares) ids.push_back(id);
-      const FaceLayer layer = face_layer(load, initial, std::move(ids), scene.spacing);
+      const FaceLayer layer = face_layer(load, body, initial, std::move(ids), scene.spacing);
       if (layer.has_edge && is_of_boxes(body))
         throw SceneError(
             fmt::format("body.{}.loaded", body.name),
@@ -130,9 +179,12 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
         fmt::format(
             "a load of body '{}' is only on particles that are held, or driven to the end, where it has no effect",
             name));
-  const double over = load.kind == Load::Kind::force                   ? volume
-                      : load.kind == Load::Kind::traction && !has_mesh ? scene.spacing
-                                                                       : 1;
+  double over = 1;
+  if (load.kind == Load::Kind::force) over = volume;
+  if (load.kind == Load::Kind::traction && !has_mesh) {
+    over = layer_thickness(scene.bodies[body], initial, loaded, scene.spacing);
+    refuse_deep_traction(load, scene.bodies[body], initial, loaded, over);
+  }
   std::vector<std::pair<int, V>> shares;
   for (const int id : loaded) {
     V force{};

@@ -19,7 +19,8 @@ class Loads {
  public:
   using V = Vec<double, Dim>;
 
-  /// Throws SceneError if a load is on no particle that is free at some time, or a traction on elements is on no face.
+  /// Throws SceneError if a load is on no particle that is free at some time, or a traction is not on one layer at a
+  /// face.
   Loads(const Scene& scene, const InitialParticles& initial);
 
   void act_on_faces(const Scene& scene, const InitialParticles& initial, FaceRule rule,

@@ -150,7 +150,9 @@ void follow_images(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
     for (const long step : {-1, 2})
       if (found == at.end()) near[probe.axis] += step, found = at.find(near);
     if (found == at.end())
-      refuse(probe, "needs a symmetric body: its particles are not mirror images of each other at the start");
+      refuse(probe,
+             "needs a body that is symmetric about a plane through the origin: "
+             "its particles are not mirror images of each other at the start");
     id = found->second;
   }
 }
@@ -233,7 +235,7 @@ double gap(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 
 template <int Dim>
 double mirror_asymmetry(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
-  if (now.evaluates_expensive && f.probe.bodies[0] == f.probe.bodies[1]) update_mirror_asymmetry<Dim>(f, now);
+  if (now.evaluates_expensive) update_mirror_asymmetry<Dim>(f, now);
   return f.last;
 }
 

@@ -183,7 +183,7 @@ std::vector<std::uint8_t> compressed_rows(const Image& image) {
 }
 
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason) {
-  throw OutputError(path.string(), "cannot write " + path.string() + ": " + reason);
+  throw OutputError(path.string(), "cannot be written: " + reason);
 }
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& reason) {
@@ -207,6 +207,11 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& path) { write_png(encode_png(image), path); }
 
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+  // a rename would replace a device or a pipe
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    fail_to_write(path,
+                  std::filesystem::is_directory(path, error) ? "it is a folder" : "it is not a regular file");
   // renames are atomic only within a file system
   std::filesystem::path part = path;
   part += ".part" + std::to_string(getpid());
@@ -221,7 +226,6 @@ void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   // fclose may be the first to report a full disk
   if (std::fclose(file) != 0 && all) reason = errno;
 
-  std::error_code error;
   if (reason == 0) {
     std::filesystem::rename(part, path, error);
     if (!error) return;

@@ -12,7 +12,7 @@ namespace taut::render {
 /// 8 bits per channel: RGB, or RGBA if transparent.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// Writes the whole file or none. Throws OutputError.
+/// Writes the whole file or none. Throws OutputError, also for a device or a pipe.
 void write_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 void write_png(const Image& image, const std::filesystem::path& path);
 

@@ -158,6 +158,27 @@ TEST_SUITE("image") {
     CHECK(left_of_legend(image) == left_of_legend(drawn(2, "and 13 more")));
   }
 
+  TEST_CASE("an unlisted category keeps its colour in the plot and has no entry in the legend") {
+    Look with = look(640, 360, unit_view);
+    with.range.reset(), with.colormap = nullptr;
+    with.categories = {"ring", "plate", "ball"}, with.unlisted = {1};
+    Particles two = particle(-0.5, 0, 0.3, 1);
+    two.add(0, 0, 0.3, 2);
+    const Image image = picture(two, with);
+    const auto pixels = [&](std::size_t category, int from, int to) {
+      int count = 0;
+      for (int row = 0; row < image.height; ++row)
+        for (int column = from; column < to; ++column)
+          count += image.at(column, row) == category_color(category);
+      return count;
+    };
+    const int middle = 430;  // column between plot and legend
+    CHECK(pixels(1, 0, middle) > 500);
+    CHECK(pixels(1, middle, image.width) == 0);
+    CHECK(pixels(2, 0, middle) > 500);
+    CHECK(pixels(2, middle, image.width) > 20);
+  }
+
   TEST_CASE("a method's name follows even a title too long for the picture") {
     const std::string title(200, 'T');
     for (const auto& [width, height] : {std::pair(320, 180), {1280, 720}}) {

@@ -7,7 +7,6 @@ class Sweep {
         (cells, index) => Object.assign(
             Object.fromEntries(report.columns.map((column, k) => [column, cells[k]])),
             {index_of_run: index}));
-    for (const row of this.rows) row.method ??= row['set.method'];
     this.left = this.rows;  // rows that the filter of the table leaves
     this.swept =
         report.swept.filter(({name}) => new Set(this.rows.map((row) => row['set.' + name])).size > 1);
@@ -22,6 +21,15 @@ class Sweep {
   unit_of(measure) {
     const units = this.rows.map((row) => String(row[`measures.${measure}.unit`] ?? ''));
     return units.find((unit) => unit && unit !== '1') || '';
+  }
+
+  /** Errors of a measure: all relative if any row has a relative one, else all absolute (reference 0). */
+  errors_of(measure) {
+    const error = (row) => row[`measures.${measure}.error`] ?? null;
+    const is_relative = (row) => Boolean(row[`measures.${measure}.reference`]);
+    const relative = this.rows.some((row) => error(row) !== null && is_relative(row));
+    const is_other = (row) => error(row) !== null && is_relative(row) !== relative;
+    return {relative, is_other, of: (row) => is_other(row) ? null : error(row)};
   }
 
   name_of(row) {
@@ -223,13 +231,14 @@ function line_legend(lines) {
           null);
 }
 
-function chart_section(sweep, title, choices, lines_of, options_of) {
+function chart_section(sweep, title, choices, lines_of, options_of, note_of = () => '') {
   const box = element('div'), legend = element('div');
   let plot = null;
   const draw = () => {
     plot?.remove();
     const lines = lines_of();
-    legend.replaceChildren(line_legend(lines));
+    const note = note_of();
+    legend.replaceChildren(line_legend(lines), note && element('p', {class: 'soft'}, note));
     if (!lines.length) return box.replaceChildren(element('p', {class: 'soft'}, 'No run has such a value.'));
     plot = new Plot(lines, {
       tall: true,
@@ -255,12 +264,13 @@ function chart_section(sweep, title, choices, lines_of, options_of) {
 }
 
 function cost_chart(sweep) {
-  const with_error = sweep.report.measures.filter(
-      (name) => sweep.rows.filter((row) => row[`measures.${name}.error`] > 0).length > 1);
+  const errors = new Map(sweep.report.measures.map((name) => [name, sweep.errors_of(name)]));
+  const error_of = (row, name) => errors.get(name).of(row);
+  const count = (name) => sweep.rows.filter((row) => error_of(row, name) > 0).length;
+  const with_error = sweep.report.measures.filter((name) => count(name) > 1);
   if (!with_error.length) return null;
-  const count = (name) => sweep.rows.filter((row) => row[`measures.${name}.error`] > 0).length -
-      (name.endsWith('_time') ? 1e6 : 0);
-  let measure = [...with_error].sort((a, b) => count(b) - count(a))[0], cost = 'seconds';
+  const rank = (name) => count(name) - (name.endsWith('_time') ? 1e6 : 0);
+  let measure = [...with_error].sort((a, b) => rank(b) - rank(a))[0], cost = 'seconds';
   const cost_of = (row) => cost === 'seconds' ? row['seconds.solve'] : row.particles * row.steps;
   const along = sweep.numeric.some(({name}) => name === 'spacing') ? 'spacing' : sweep.numeric[0]?.name;
   return chart_section(
@@ -278,13 +288,14 @@ function cost_chart(sweep) {
                  cost = name;
                  draw();
                })],
-      () => series_lines(sweep, along, (row) => {
-        const x = cost_of(row), y = row[`measures.${measure}.error`];
-        return x > 0 && y > 0 ? {x, y} : null;
-      }), () => {
-        const row = sweep.rows.find((one) => one[`measures.${measure}.error`] > 0);
-        const unit =
-            row[`measures.${measure}.reference`] === 0 ? sweep.unit_of(measure) : 'share of the reference';
+      () => series_lines(
+          sweep, along,
+          (row) => {
+            const x = cost_of(row), y = error_of(row, measure);
+            return x > 0 && y > 0 ? {x, y} : null;
+          }),
+      () => {
+        const unit = errors.get(measure).relative ? 'share of the reference' : sweep.unit_of(measure);
         return {
           x: cost === 'seconds' ? 'solving, s' : 'particles × steps',
           y: `error of ${measure}` + (unit ? ', ' + unit : ''),
@@ -292,7 +303,35 @@ function cost_chart(sweep) {
           x_type: 'logarithmic',
           y_type: 'logarithmic'
         };
+      },
+      () => {
+        const others = sweep.left.filter(errors.get(measure).is_other).length;
+        return others ? `Runs without a relative error, because the reference is 0: ${others}.` : '';
       });
+}
+
+/** One line for each reference, or for each series if values of a reference differ at the same x. */
+function reference_lines(sweep, x, measure) {
+  const shared = new Map(), own = new Map();
+  const add = (lines, name, at, value) => lines.set(name, (lines.get(name) || new Map()).set(at, value));
+  let all_agree = true;
+  for (const row of sweep.left) {
+    const at = row['set.' + x], value = row[`measures.${measure}.reference`];
+    if (typeof at !== 'number' || typeof value !== 'number') continue;
+    const name = row[`measures.${measure}.reference_name`] || '';
+    if ((shared.get(name)?.get(at) ?? value) !== value) all_agree = false;
+    add(shared, name, at, value);
+    add(own, [name, sweep.series_of(row, x)].filter(Boolean).join(', '), at, value);
+  }
+  const line = ([name, points]) => ({
+    label: name ? 'reference: ' + name : 'reference',
+    radius: 4,
+    marker: 'line',
+    dash: [3, 3],
+    width: 2,
+    points: [...points].sort(([a], [b]) => a - b).map(([at, value]) => ({x: at, y: value}))
+  });
+  return [...(all_agree ? shared : own)].map(line);
 }
 
 function response_chart(sweep) {
@@ -305,7 +344,6 @@ function response_chart(sweep) {
   ].filter(([key]) => sweep.rows.some((row) => typeof row[key] === 'number'));
   if (!quantities.length) return null;
   let x = sweep.numeric[0].name, y = quantities[0][0];
-  const reference_key = () => y.replace(/\.value$/, '.reference');
   return chart_section(
       sweep, 'Response',
       (draw) =>
@@ -327,18 +365,8 @@ function response_chart(sweep) {
             (row) => typeof row[y] === 'number' && typeof row['set.' + x] === 'number' ?
                 {x: row['set.' + x], y: row[y]} :
                 null);
-        const references = new Map(
-            sweep.left.filter((row) => y.endsWith('.value') && typeof row[reference_key()] === 'number')
-                .map((row) => [row['set.' + x], row[reference_key()]]));
-        if (references.size)
-          lines.push({
-            label: 'reference',
-            radius: 4,
-            marker: 'line',
-            dash: [3, 3],
-            width: 2,
-            points: [...references].sort(([a], [b]) => a - b).map(([at, value]) => ({x: at, y: value}))
-          });
+        const measure = y.match(/^measures\.(.*)\.value$/)?.[1];
+        if (measure) lines.push(...reference_lines(sweep, x, measure));
         return lines;
       },
       () => {

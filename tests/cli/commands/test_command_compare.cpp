@@ -55,6 +55,25 @@ TEST_SUITE("cli") {
     CHECK(panel("-0.01", {"--view", "auto"}).empty());
     CHECK(render::read_png(folder / "panel.png").width != cut.width);
     CHECK(panel("-0.03").empty());
+    const std::string twice = panel("-0.01", {"--beside", "color=pressure"});
+    CHECK(contains(twice, told));
+    CHECK(twice.find(told) == twice.rfind(told));
+  }
+
+  TEST_CASE("a panel with a wrong number of labels or an invalid label is refused before it is drawn") {
+    const TemporaryFolder folder;
+    make_run(folder, "a", {"--until", "1e-4"});
+    for (const auto& [labels, message] :
+         {std::pair("one,two", "--labels must give one label for each run (labels: 2, runs: 1)"),
+          std::pair("Gr\xf6\xdf", "'Gr\\xf6\\xdf' must be one line of UTF-8 text of at most 200 bytes"),
+          std::pair("two\nlines", "'two\\x0alines' must be one line of UTF-8 text")}) {
+      const Outcome outcome = compare(folder, {"a"}, {"--labels", labels});
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, message));
+    }
+    CHECK_FALSE(fs::exists(folder / "panel.png"));
+    CHECK(compare(folder, {"a"}, {"--labels", "Größe"}).code == 0);
   }
 
   TEST_CASE("a panel shows two fields or views beside each other, and refuses keys of the whole page") {

@@ -5,6 +5,7 @@
 #include "cli/drawing/bounds.hpp"
 #include "cli/drawing/keys.hpp"
 #include "cli/drawing/options.hpp"
+#include "cli/drawing/page_keys.hpp"
 #include "engine/error.hpp"
 #include "tests/support/program_runner.hpp"
 #include "tests/support/relative.hpp"
@@ -136,6 +137,10 @@ TEST_SUITE("unit") {
     for (const auto& [name, text, right] :
          {std::array{"range", "2:1", "must be LOW:HIGH with LOW < HIGH"},
           std::array{"range", "1:2:3", "must be LOW:HIGH"},
+          std::array{"range", "-1e308:1e308", "or 'auto'; both from -1e100 to 1e100"},
+          std::array{"view", "-1e308:1e308:0:1", "or 'auto'; all from -1e100 to 1e100"},
+          std::array{"camera", "1e-300:0:0", "or 'auto'; its length from 1e-100 to 1e100"},
+          std::array{"up", "0:0:1e300", "or 'auto'; its length from 1e-100 to 1e100"},
           std::array{"view", "0:1:2:2", "must be X_MIN:X_MAX:Y_MIN:Y_MAX"},
           std::array{"camera", "0:0:0", "must be X:Y:Z, a direction towards the camera"},
           std::array{"camera", "1:2", "must be X:Y:Z"},
@@ -157,6 +162,7 @@ TEST_SUITE("unit") {
           std::array{"width", "3m", "must be none or a length"},
           std::array{"dpi", "10", "--dpi is '10'; it must be N from 30 to 2400"},
           std::array{"font_size", "0", "--font-size is '0'; it must be POINTS from 1 to 100, or 'auto'"},
+          std::array{"title", "Gr\xf6\xdf", "--title is 'Gr\\xf6\\xdf'; it must be one line of UTF-8 text"},
           std::array{"color", "presure", "unknown field 'presure' (did you mean 'pressure'?)"},
           std::array{"colormap", "plasm", "unknown colour map 'plasm' (did you mean 'plasma'?)"}}) {
       const auto& name_now = name;
@@ -167,6 +173,33 @@ TEST_SUITE("unit") {
       CHECK_THROWS_WITH_AS(set_typed(drawing, drawing_key(name), text), doctest::Contains(right), UsageError);
       for (const DrawingKey& key : drawing_keys()) CHECK(key.get(drawing) == key.get(other_drawing()));
     }
+  }
+
+  TEST_CASE("a title or label is one line of UTF-8 text of at most 200 bytes") {
+    const std::string longest = "Größe " + std::string(192, 'x');
+    CHECK(longest.size() == 200);
+    for (const std::string& valid :
+         {std::string(), std::string("none"), longest, std::string("∂σ, 応力, 🙂")})
+      CHECK(line_of_text(valid).empty());
+    for (const std::string& wrong :
+         {longest + "x", std::string("two\nlines"), std::string("\x7f"), std::string("Gr\xf6\xdf\x65"),
+          std::string("cut off \xc3"), std::string("surrogate \xed\xa0\x80"),
+          std::string("overlong \xc0\x80"), std::string("beyond \xf5\x80\x80\x80")}) {
+      CAPTURE(wrong.size());
+      Drawing drawing = other_drawing();
+      CHECK(line_of_text(wrong).ends_with("' must be one line of UTF-8 text of at most 200 bytes"));
+      CHECK(drawing_key("title").set(drawing, wrong).starts_with("title: '"));
+      CHECK(drawing.title == other_drawing().title);
+    }
+  }
+
+  TEST_CASE("bodies that are hidden are not listed in the legend") {
+    Drawing drawing;
+    drawing.look.categories = {"plate", "ring", "ball"}, drawing.hidden = {0, 2};
+    drawing.field = find_field("body");
+    CHECK(fitted(drawing, SequenceBounds()).look.unlisted == drawing.hidden);
+    drawing.field = find_field("material");
+    CHECK(fitted(drawing, SequenceBounds()).look.unlisted.empty());
   }
 
   TEST_CASE(

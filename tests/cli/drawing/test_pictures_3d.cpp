@@ -216,6 +216,11 @@ TEST_SUITE("cli") {
     check_error("color = \"von_mises\"", "fov = @130",
                 {"fov = 130 must be from 0 (parallel) to 120 degrees"});
     check_error("color = \"von_mises\"", "up = @[0, 0, 0]", {"cannot be [0, 0, 0]"});
+    check_error("color = \"von_mises\"", "up = @[0, 1e-300, 0]", {"nor shorter than 1e-100"});
+    check_error("color = \"von_mises\"", "range = [0, @1e308]",
+                {"range[1] = 1e+308 must be at least -1e+100 and at most 1e+100"});
+    check_error("color = \"von_mises\"", "title = @\"two\\nlines\"",
+                {"title: 'two\\x0alines' must be one line of UTF-8 text of at most 200 bytes"});
     check_error("color = \"von_mises\"", "style = @\"spheres\"",
                 {"needs dim = 3", "discs, cells or surface"});
     check_error("color = \"von_mises\"", "style = @\"sphere\"", {"unknown style 'sphere'", "'spheres'"});

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include "cli/report/difference_data.hpp"
 #include "tests/support/relative.hpp"
+#include "tests/support/results_file.hpp"
 #include "tests/support/sweep_folder.hpp"
 
 using namespace taut::cli;
@@ -128,6 +130,7 @@ TEST_SUITE("cli") {
     refused({"report", run, folder.str("sweep")}, "runs and sweeps are given");
     refused({"report", run, run, "--baseline", run}, "--baseline compares one folder");
     refused({"report", run, "--baseline", folder.str("none")}, "there are no pictures (PNG)");
+    CHECK_FALSE(fs::exists(fs::path(run) / "report"));
     refused({"report", run, "--watch", "--embed"}, "give --watch or --embed");
     refused({"report", run, "--max-difference", "2"}, "--max-difference needs --baseline");
     std::ofstream(fs::path(run) / "run.json") << "{";
@@ -154,6 +157,17 @@ TEST_SUITE("cli") {
     CHECK(report["rows"][2][static_cast<std::size_t>(at)] == 2);
     CHECK(run_of(folder / "sweep/report", 3)["record"]["method"] == "og");
     CHECK(run_of(folder / "sweep/report", 0)["history"]["columns"][0]["values"].size() <= 252);
+  }
+
+  TEST_CASE("report: runs without a result have the method of their sweep") {
+    const TemporaryFolder folder;
+    write_results(folder / "a", "finished,,tl,0.4,10,stable,,0.3,2,4,3\nto do,,,,,,,,,,5\n", "rod", "speed");
+    REQUIRE(call({"report", folder.str("a")}).code == 0);
+    const auto report = report_of(folder / "a/report");
+    const auto& columns = report["columns"];
+    const auto at = std::find(columns.begin(), columns.end(), "method") - columns.begin();
+    CHECK(report["rows"][1][static_cast<std::size_t>(at)] == "tl");
+    CHECK(report["styles"].size() == 1);
   }
 
   TEST_CASE(
@@ -225,6 +239,23 @@ frames = 2
     CHECK(fs::exists(folder / "run/report/difference/frame_00002.png"));
     CHECK(call({"report", run, "--baseline", folder.str("good # 1"), "--max-difference", "101"}).code == 0);
     CHECK(report_of(fs::path(run) / "report")["different"] == 0);
+  }
+
+  TEST_CASE("report: a comparison that was interrupted is repeated") {
+    const TemporaryFolder folder;
+    const std::string run = run_with_title(folder, "Two discs");
+    const fs::path good = folder / "good", page = fs::path(run) / "report";
+    fs::copy(folder / "run/frames", good, fs::copy_options::recursive);
+    fs::copy_file(folder / "run/frames/frame_00004.png", good / "frame_00002.png",
+                  fs::copy_options::overwrite_existing);
+    difference_data({good, run, {}}, page / "difference",
+                    Links(page, false));  // ends before the page is written
+    REQUIRE(fs::exists(page / "difference/frame_00002.png"));
+    CHECK(contains(text_of(page / "index.html"), "unfinished"));
+    const Outcome again = call({"report", run, "--baseline", good.string()});
+    CAPTURE(again.err);
+    REQUIRE(again.code == 0);
+    CHECK(contains(text_of(page / "index.html"), "taut.js"));
   }
 
   TEST_CASE("report: a suite of snapshots has an index with the comparison of each entry") {

@@ -15,6 +15,8 @@ RunRecord full_record() {
   record.parameters = {{"v0", 0.06}, {"a", -1e-300}};
   record.dim = 3, record.spacing = 0.1 + 0.2, record.requested_spacing = 0.3;
   record.jitter.share = 0.05, record.jitter.seed = 7;
+  record.file_checksum = "0123456789abcdef";
+  record.saved_particles = {.format = "vtp", .precision = "single", .fields = {"speed", "pressure"}};
   record.particles = 5'000'000'000, record.mass = 1.5, record.until = 2, record.reached = 1;
   record.status = RunRecord::Status::failed, record.reason = "because";
   record.steps = 12, record.threads = 3, record.machine = "abacus";
@@ -80,6 +82,16 @@ TEST_SUITE("cli") {
       } catch (const UsageError& error) {
         CHECK(std::string(error.what()).starts_with("'run.json': key '" + std::string(field.key)));
       }
+    }
+  }
+
+  TEST_CASE("the checksum of files and the form of saved particles are in run.json only if known") {
+    const RunRecord again = read(to_json(full_record()));
+    CHECK(again.file_checksum == "0123456789abcdef");
+    CHECK(again.saved_particles == full_record().saved_particles);
+    for (const char* key : {"file_checksum", "saved_particles"}) {
+      CHECK_FALSE(to_json(RunRecord{}).find(key));
+      CHECK_FALSE(to_results(full_record()).find(key));
     }
   }
 

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "cli/drawing/bounds.hpp"
+#include "cli/run/baseline.hpp"
 #include "cli/run/history.hpp"
 #include "cli/run/record.hpp"
 #include "cli/run/schedule.hpp"
@@ -43,6 +44,15 @@ TEST_SUITE("unit") {
     CHECK(times_every(0.3, 0.1) == std::vector<double>{0, 0.1, 0.2, 0.3});  // although 0.3 / 0.1 < 3
     CHECK(times_every(0.35, 0.1).back() == Approx(0.3));
     CHECK(times_every(1, 2) == std::vector<double>{0});
+  }
+
+  TEST_CASE(
+      "a baseline inside its run folder is refused, even if the folder of a relative path does not exist") {
+    const fs::path run = "no-such-folder/run";
+    REQUIRE_FALSE(fs::exists(run.parent_path()));
+    CHECK_THROWS_WITH_AS(Baseline(fs::absolute(run) / "baseline").check(run, true),
+                         doctest::Contains("the baseline is inside the run folder"), UsageError);
+    CHECK_NOTHROW(Baseline(fs::absolute("no-such-folder/baseline")).check(run, true));
   }
 
   TEST_CASE("an agenda returns each of its times once") {

@@ -119,10 +119,10 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("a solution holds for any parameters unless `when` restricts it") {
-    const std::string rmse = replaced(small_scene, "of = \"maximum\"", "of = \"rmse\"");
+    const std::string curve = replaced(small_scene, "of = \"maximum\"", "of = \"at_rest\"");
     const std::string text =
-        replaced(rmse, "values = { peak = 3 }",
-                 "let = { a = \"2*v0\", b = \"a + 1\" }\nsolutions = { peak = \"b*t + x\" }");
+        replaced(curve, "values = { peak = 3 }",
+                 "let = { a = \"2*v0\", b = \"a + 1\" }\nsolutions = { peak = \"b*t + 5\" }");
     const auto peak = [&](const std::string& scene, const std::vector<Setting>& settings = {}) {
       return read_text(scene, settings)
           .scene.references.at("neo_hookean")

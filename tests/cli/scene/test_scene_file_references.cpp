@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/scene/reference_table.hpp"
 #include "cli/scene/scene_file.hpp"
 #include "engine/error.hpp"
 #include "tests/support/relative.hpp"
@@ -47,6 +48,45 @@ TEST_SUITE("cli") {
     for (const char* rows : {"0,1\n1.9,3\n", "0.1,1\n2,3\n"})
       CHECK_THROWS_WITH_AS(read_text(with("[1]", rows)), doctest::Contains("must go from s = 0 to 2 m"),
                            SceneError);
+  }
+
+  TEST_CASE("references: a measure takes only the kinds of reference that it can use") {
+    const std::string rmse = "[[measure]]\nname = \"off\"\nof = \"rmse\"\nprobe = \"tip\"\n";
+    CHECK_THROWS_WITH_AS(
+        read_text(with_references(rmse + reference("number", "values = { off = 0.1 }"))),
+        doctest::Contains("the measure 'off' cannot have a value; give a table or a solution"), SceneError);
+    CHECK_NOTHROW(read_text(with_references(rmse + reference("curve", "solutions = { off = \"sin(t)\" }"))));
+    CHECK_THROWS_AS(
+        read_text(with_references(rmse + reference("place", "solutions = { off = \"sin(t) + x\" }"))),
+        SceneError);
+  }
+
+  TEST_CASE("references: the checksum of a scene changes with the contents of its tables") {
+    const auto checksum_with = [](const std::string& rows) {
+      std::ofstream(scratch_folder() / "tip.csv") << "t,tip\n" << rows;
+      const std::string measure =
+          "[[measure]]\nname = \"error\"\nof = \"rmse\"\nprobe = \"tip\"\nunit = \"m\"\n";
+      return file_checksum(read_text(with_references(
+          measure + reference("a table", "tables = { error = { file = \"tip.csv\", column = \"tip\" } }"))));
+    };
+    const std::string before = checksum_with("0,1\n2,3\n");
+    CHECK(before.size() == 16);
+    CHECK(checksum_with("0,1\n2,4\n") != before);
+    CHECK(checksum_with("0,1\n2,3\n") == before);
+    CHECK(file_checksum(read_text(small_scene)).empty());
+  }
+
+  TEST_CASE(
+      "references: paths of tables are relative to a run folder, even if its first folder does not exist") {
+    std::ofstream(scratch_folder() / "tip.csv") << "t,tip\n0,1\n2,3\n";
+    const std::string measure =
+        "[[measure]]\nname = \"error\"\nof = \"rmse\"\nprobe = \"tip\"\nunit = \"m\"\n";
+    const SceneFile scene = read_text(with_references(
+        measure + reference("a table", "tables = { error = { file = \"tip.csv\", column = \"tip\" } }")));
+    REQUIRE_FALSE(std::filesystem::exists("no-such-folder"));
+    const std::string absolute = resolved_text(scene, std::filesystem::absolute("no-such-folder/run"));
+    CHECK(absolute.find("tip.csv\"") != std::string::npos);
+    CHECK(resolved_text(scene, "no-such-folder/run") == absolute);
   }
 
   TEST_CASE(

@@ -65,6 +65,15 @@ TEST_SUITE("cli") {
     CHECK(folder_of(copied, {{"v0", "0.06"}}) == "out/scene-oenog");
   }
 
+  TEST_CASE("a contact law of --set that the method cannot use is refused by the name of the setting") {
+    CHECK_THROWS_WITH_AS(
+        read_text(small_scene, {{"method", "tl"}, {"contact", "sph"}}),
+        doctest::Contains("--set contact=sph: method 'tl' cannot run with the contact law 'sph': "),
+        UsageError);
+    CHECK_NOTHROW(read_text("contact = \"sph\"\n" + small_scene, {{"method", "tl"}, {"contact", "penalty"}}));
+    CHECK_NOTHROW(read_text(small_scene, {{"method", "enog"}, {"contact", "sph"}}));
+  }
+
   TEST_CASE("labels of runs name each setting that differs from the method's default") {
     const auto run_with = [](const std::vector<Setting>& settings) {
       return SavedRun{RunFolder("out/a"), read_text(small_scene, settings), {}, {}};

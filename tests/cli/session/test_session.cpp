@@ -154,6 +154,8 @@ TEST_SUITE("cli") {
              {"range 2 1",
               "error: range is '2 1'; it must be LOW HIGH with LOW < HIGH, such as 0 2e6, or 'auto'"},
              {"view 1 0 0 1", "error: view is '1 0 0 1'; it must be X_MIN X_MAX Y_MIN Y_MAX in metres"},
+             {"range -1e308 1e308", "error: range is '-1e308 1e308'; it must be LOW HIGH with LOW < HIGH"},
+             {"title Gr\xf6\xdf", "error: title is 'Gr\\xf6\\xdf'; it must be one line of UTF-8 text"},
              {"bar_format 3", "error: bar_format is '3'; it must be auto, %.Nf"},
              {"glyph -1", "error: glyph is '-1'; it must be"}}) {
       CAPTURE(wrong);

@@ -179,6 +179,61 @@ TEST_SUITE("cli") {
     CHECK(contains(none.err, "has the values of the scene, v0 = 0.1"));
   }
 
+  TEST_CASE("choose omits runs with another default, `until` or law, or with another value than --set") {
+    const TemporaryFolder folder;
+    // the wanted run is the dearer one
+    const std::string head =
+        "status,scene,method,material_law,contact,cfl,parameters.v0,until,particles,steps,spacing,verdict,"
+        "seconds.solve,measures.bend.reference,measures.bend.error\n";
+    const auto chosen = [&](const std::string& cheap, const Texts& more = {}) {
+      std::ofstream(folder / "results.csv")
+          << head << "finished,colliding-rings," << cheap << ",9,9,0.001,stable,1,1,0.01\n"
+          << "finished,colliding-rings,oenog,neo_hookean,surface,0.6,0.06,0.012,9,9,0.001,stable,5,1,0.01\n";
+      Texts words{"choose", "colliding-rings", "--from", folder.str("results.csv"), "--json"};
+      words.insert(words.end(), more.begin(), more.end());
+      const Outcome outcome = call(words);
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return nlohmann::json::parse(outcome.out)["runs"][0]["method"].get<std::string>();
+    };
+    const std::string usual = "tl,neo_hookean,surface,0.4,0.06,0.012";
+    CHECK(chosen(usual) == "tl");
+    CHECK(chosen("tl,,,,,") == "tl");  // unknown
+    CHECK(chosen("tl,neo_hookean,surface,0.4,0.05,0.012") == "oenog");
+    CHECK(chosen("tl,neo_hookean,surface,0.4,0.06,0.006") == "oenog");
+    CHECK(chosen("tl,mooney_rivlin,surface,0.4,0.06,0.012") == "oenog");
+    CHECK(chosen("og,2d_deviator,sph,0.5,0.06,0.012") == "og");  // its law cannot be chosen
+    CHECK(chosen(usual, {"--set", "cfl=0.6"}) == "oenog");
+    CHECK(chosen(usual, {"--set", "cfl=0.4"}) == "tl");
+    CHECK(chosen(usual, {"--set", "method=oenog"}) == "oenog");
+    CHECK(chosen("tl,neo_hookean,penalty,0.4,0.06,0.012", {"--set", "contact=published"}) == "oenog");
+    CHECK(chosen("tl,neo_hookean,penalty,0.4,0.06,0.012", {"--set", "contact=penalty"}) == "tl");
+    CHECK(chosen("tl,mooney_rivlin,surface,0.4,0.06,0.012",
+                 {"--set", "method=tl", "--set", "law=mooney-rivlin"}) == "tl");
+    CHECK(chosen("og,2d_deviator,sph,0.5,0.06,0.012",
+                 {"--set", "method=oenog", "--set", "law=neo-hookean"}) == "oenog");
+  }
+
+  TEST_CASE("choose compares a parameter that depends on the spacing at the spacing of each run") {
+    const TemporaryFolder folder;
+    write_tiny_scene(folder);
+    std::string text = text_of(folder / "discs.toml");
+    text.replace(text.find("pull = { value = 0"), 18, "pull = { value = \"dp\"");
+    std::ofstream(folder / "fine.toml") << text;
+    REQUIRE(call({"sweep", folder.str("fine.toml"), "--grid", "method=oenog,tl", "--grid",
+                  "spacing=0.002,0.001", "--jobs", "1", "--out", folder.str("sweep"), "--quiet"})
+                .code == 0);
+    const auto choose = [&](Texts more) {
+      more.insert(more.begin(),
+                  {"choose", folder.str("fine.toml"), "--from", folder.str("sweep"), "--against", "tl"});
+      return call(more);
+    };
+    CHECK(choose({}).err.empty());
+    const Outcome none = choose({"--set", "pull=0.003"});
+    CHECK(none.code == 2);
+    CHECK(contains(none.err, "has the values of the scene, pull = 0.003"));
+  }
+
   TEST_CASE("choose refuses an invalid error, unknown scenes and measures, and results of another scene") {
     const TemporaryFolder folder;
     const std::string file = write_results(folder / "a", runs, "colliding-rings");
@@ -233,6 +288,21 @@ TEST_SUITE("cli") {
     check_errors(folder.str("fine"), touch_time(folder / "fine"));
     run("fast", {"--set", "speed=3", "--method", "tl"});
     CHECK(contains(choose({"--against", folder.str("fast")}).err, "has speed = 3, not 2"));
+    run("short", {"--until", "0.0015", "--method", "tl"});
+    CHECK(contains(choose({"--against", folder.str("short")}).err, "has until = 0.0015, not 0.002"));
+    run("other", {"--set", "law=linear", "--method", "tl"});
+    CHECK(contains(choose({"--against", folder.str("other")}).err, "has law = linear, not neo-hookean"));
+    run("shaken", {"--set", "jitter=0.1", "--method", "tl"});
+    CHECK(contains(choose({"--against", folder.str("shaken")}).err, "has jitter = 0.1, not 0"));
+    for (const char* other : {"speed=3", "until=0.001", "cfl=0.01"}) {
+      CAPTURE(other);
+      const Outcome none = choose({"--against", folder.str("fine"), "--set", other});
+      CHECK(none.code == 2);
+    }
+    const Outcome coarse = choose({"--against", folder.str("fine"), "--set", "spacing=0.002", "--json"});
+    REQUIRE(coarse.code == 0);
+    for (const auto& offer : nlohmann::json::parse(coarse.out)["runs"])
+      CHECK(contains(offer["folder"].get<std::string>(), "spacing=0.002"));
     CHECK(choose({"--against", folder.str("nothing")}).code == 2);
   }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -74,6 +75,67 @@ TEST_SUITE("cli") {
     CHECK(looks(methods).contains(*looks(alone).begin()));
   }
 
+  TEST_CASE("in panels of several columns, each run has a colour, and each column has a dash") {
+    Texts methods{"tl"};
+    for (const MethodInfo& method : taut::methods())  // the first that shares the colour of tl
+      if (methods.size() < 2 && method.name != "tl" &&
+          curve_styles({std::string(method.name)})[0].color == curve_styles({"tl"})[0].color)
+        methods.emplace_back(method.name);
+    methods.emplace_back("og");
+    REQUIRE(methods.size() == 3);
+    for (const int count : {1, 4}) {
+      NamedRuns runs;
+      for (const std::string& method : methods) {
+        const NamedRuns more = speeds_of(method, count);
+        runs.insert(runs.end(), more.begin(), more.end());
+      }
+      HistoryPlot plot = falling(runs);
+      plot.columns.push_back({"top", "top, m"});
+      plot.panels = {{0, 1}};
+      for (HistoryPlot::Curve& curve : plot.curves)
+        for (auto& row : curve.rows) row.push_back(row[1]);
+      CHECK(looks(script_of(plot)).size() == 2 * runs.size());
+    }
+  }
+
+  TEST_CASE("with several methods, each keeps its hue, and its lines get lighter in their order") {
+    const Texts methods{"tl", "og", "tl", "og", "tl", "og", "enog"};
+    const std::vector<CurveStyle> styles = line_styles(methods);
+    const auto channels = [](const CurveStyle& style) {
+      std::array<int, 3> rgb{};
+      for (std::size_t c = 0; c < 3; ++c) rgb[c] = std::stoi(style.color.substr(1 + 2 * c, 2), nullptr, 16);
+      return rgb;
+    };
+    const auto order = [](const std::array<int, 3>& rgb) {  // of the channels, by brightness
+      return std::array{rgb[0] <= rgb[1], rgb[1] <= rgb[2], rgb[0] <= rgb[2]};
+    };
+    for (std::size_t k = 0; k + 2 < 6; ++k) {
+      const auto darker = channels(styles[k]), lighter = channels(styles[k + 2]);
+      for (std::size_t c = 0; c < 3; ++c) CHECK(darker[c] <= lighter[c]);
+      CHECK(darker != lighter);
+      CHECK(styles[k].dash == styles[k + 2].dash);
+      CHECK(order(darker) == order(channels(curve_styles({methods[k]})[0])));
+    }
+    CHECK(styles[6].line() == curve_styles({"enog"})[0].line());
+  }
+
+  TEST_CASE("a logarithmic axis has a note that names the columns with values that it cannot show") {
+    HistoryPlot plot = falling({{"og", ""}, {"tl", ""}});
+    plot.columns.push_back({"top", "top, m"});
+    for (HistoryPlot::Curve& curve : plot.curves)
+      for (auto& row : curve.rows) row.push_back(NAN);
+    PlotLook look;
+    look.log_x = look.log_y = true;
+    CHECK(hidden_by_log(plot, look).empty());
+    plot.curves[1].rows[1][2] = 0;
+    CHECK(hidden_by_log(plot, look) == "values ≤ 0 are not drawn on logarithmic axes: top");
+    plot.curves[0].rows[1][1] = plot.curves[0].rows[0][0] = -1;
+    CHECK(hidden_by_log(plot, look) == "values ≤ 0 are not drawn on logarithmic axes: t, tip, top");
+    look.log_x = false;
+    CHECK(hidden_by_log(plot, look) == "values ≤ 0 are not drawn on logarithmic axes: tip, top");
+    CHECK(hidden_by_log(plot, {}).empty());
+  }
+
   TEST_CASE("a method has the same colour, dash and markers in every picture") {
     std::vector<std::string> all;
     for (const MethodInfo& method : methods()) all.emplace_back(method.name);
@@ -129,19 +191,28 @@ TEST_SUITE("cli") {
     CHECK(shortened(greek).size() == 2 * 45 + 3);  // 46 letters
   }
 
-  TEST_CASE("runs are ordered by rising swept values, in whatever order they are given") {
+  TEST_CASE("runs of a method are ordered by rising swept values, in whatever order they are given") {
     const TemporaryFolder folder;
     StoredResults results;
-    for (const std::string speed : {"10", "0.5", "2"}) {
-      fs::create_directory(folder / speed);
-      std::ofstream(folder / speed / "run.json") << record_with("\"speed\": " + speed);
-      std::ofstream(folder / speed / "history.csv") << "t,energy\n0,1\n1,2\n";
-      results.runs.push_back(read_stored_run(folder.str(speed)));
-    }
-    Texts names;
-    for (const auto& curve : make_history_plot(results, {{"energy", "energy"}}).curves)
-      names.push_back(curve.name);
-    CHECK(names == Texts{"tl, speed=0.5", "tl, speed=2", "tl, speed=10"});
+    const auto add_run = [&](const std::string& method, const std::string& speed) {
+      const std::string name = method + speed;
+      fs::create_directory(folder / name);
+      std::string record = record_with("\"speed\": " + speed);
+      record.replace(record.find("\"tl\""), 4, "\"" + method + "\"");
+      std::ofstream(folder / name / "run.json") << record;
+      std::ofstream(folder / name / "history.csv") << "t,energy\n0,1\n1,2\n";
+      results.runs.push_back(read_stored_run(folder.str(name)));
+    };
+    const auto names = [&] {
+      Texts all;
+      for (const auto& curve : make_history_plot(results, {{"energy", "energy"}}).curves)
+        all.push_back(curve.name);
+      return all;
+    };
+    for (const char* speed : {"10", "0.5", "2"}) add_run("tl", speed);
+    CHECK(names() == Texts{"tl, speed=0.5", "tl, speed=2", "tl, speed=10"});
+    add_run("og", "2"), add_run("og", "0.5");
+    CHECK(names() == Texts{"tl, speed=0.5", "tl, speed=2", "tl, speed=10", "og, speed=0.5", "og, speed=2"});
   }
 
   TEST_CASE("a letter missing in every font is a box in PNG, and itself in SVG") {
@@ -202,6 +273,19 @@ TEST_SUITE("cli") {
     CHECK(energy.code == 2);
     CHECK(contains(energy.err, "column 'kinetic_energy' is in J per m in"));
     CHECK(plot("pieces").code == 0);
+  }
+
+  TEST_CASE("values that a logarithmic axis cannot show are reported on stderr") {
+    const TemporaryFolder folder;
+    HistoryPlot plot = falling({{"og", ""}});
+    plot.curves[0].rows[0][1] = -1;
+    PlotLook look;
+    for (const bool is_log : {false, true}) {
+      look.log_y = is_log;
+      std::ostringstream out, err;
+      CHECK(draw_history(plot, {folder / "p.png"}, {out, err}, look) == 0);
+      CHECK(err.str() == (is_log ? "taut: values ≤ 0 are not drawn on logarithmic axes: tip\n" : ""));
+    }
   }
 
   TEST_CASE("a history with more lines than can be distinguished is drawn with a warning") {

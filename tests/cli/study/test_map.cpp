@@ -101,6 +101,19 @@ TEST_SUITE("cli") {
     CHECK(1280 * number_after(few, "set lmargin at screen ") < 100);
   }
 
+  TEST_CASE("runs without a result are in the rows of the finished runs") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "results.csv")
+        << "status,set.speed,set.spacing,scene,method,spacing,particles,steps,verdict,seconds.solve\n"
+           "finished,3,0.0012,rod,tl,0.0012121212121212121,9,9,stable,1\n"  // fitted to the first body
+           "to do,5,0.0012,,,,,,,\n"
+           "finished,3,0.0007,rod,tl,0.0007,9,9,stable,1\n"
+           "to do,5,0.0007,,,,,,,\n";
+    const auto map = make_map(read_results({folder.str("results.csv")}), {"speed"});
+    CHECK(map.rows == Texts{"tl, spacing=0.0012", "tl, spacing=0.0007"});
+    CHECK(map.cells[0][1]->status == "to do");
+  }
+
   TEST_CASE("every verdict has a colour of its own") {
     const TemporaryFolder folder;
     std::string lines;

@@ -102,6 +102,18 @@ TEST_SUITE("cli") {
     CHECK(series_name(run("0.05"), told) == "oenog, jitter=0.05");
   }
 
+  TEST_CASE("a run without a result has the swept, the fixed or the only method of its sweep") {
+    const TemporaryFolder folder;
+    const auto last = [&](const std::string& rows) {
+      return read_results({write_results(folder.path(), rows)}).runs.back().method();
+    };
+    CHECK(last("finished,,tl,0.4,10,stable,,0.3,2,4,\nto do,,,,,,,,,,\n") == "tl");
+    CHECK(last("finished,tl,tl,0.4,10,stable,,0.3,2,4,\nto do,og,,,,,,,,,\n") == "og");
+    // the default of the scene
+    CHECK(last("finished,tl,tl,0.4,10,stable,,0.3,2,4,\nto do,,,,,,,,,,\n").empty());
+    CHECK(StoredRun{.file = "", .cells = {{"fixed.method", "og"}}}.method() == "og");
+  }
+
   TEST_CASE("a run.json nested too deep is refused") {
     const TemporaryFolder folder;
     write(folder / "run.json", with("\"until\": 1", "\"until\": " + deep(100000)));

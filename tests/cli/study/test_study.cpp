@@ -58,6 +58,53 @@ TEST_SUITE("cli") {
     for (const auto& [name, text] : bytes) CHECK(text_of(folder / "out" / name) == text);
   }
 
+  TEST_CASE("a study whose runs all diverge succeeds without its chart") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "rod.toml") << R"(
+title = "A rod"
+spacing = 0.01
+until = 1e-3
+method = "oenog"
+[parameters]
+rate = { value = 1, unit = "1/s", help = "rate of stretching" }
+[material.rubber]
+density = 1200
+youngs_modulus = 1e7
+poisson_ratio = 0.4
+[[body]]
+name = "rod"
+shape = { type = "rectangle", low = [-0.05, -0.02], high = [0.05, 0.02] }
+material = "rubber"
+velocity = ["rate*x", 0]
+[[probe]]
+name = "tip"
+of = "displacement"
+body = "rod"
+at = [0.05, 0]
+component = "x"
+[[measure]]
+name = "peak"
+of = "maximum"
+probe = "tip"
+unit = "m"
+[[reference]]
+law = "neo-hookean"
+name = "line"
+solutions = { peak = "5e-5*rate" }
+)";
+    std::ofstream(folder / "study.toml")
+        << "scene = \"rod.toml\"\n[grid]\nrate = [4e4, 1e5]\n[chart]\n[map]\n";
+    const Outcome outcome = sweep(folder, folder.str("study.toml"));
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.err,
+                   "chart.png is not drawn: no measure in the results of rod has an error: "
+                   "all runs diverged\n"));
+    CHECK_FALSE(fs::exists(folder / "out/chart.png"));
+    CHECK(fs::exists(folder / "out/map.png"));
+    CHECK(contains(text_of(folder / "out/tables.md"), "diverged"));
+  }
+
   TEST_CASE("a mistake in a study is refused with the reason") {
     const TemporaryFolder folder;
     const std::map<std::string, std::string> wrong{

@@ -72,6 +72,37 @@ TEST_SUITE("cli") {
     CHECK_FALSE(contains(plain.out, "median"));
   }
 
+  TEST_CASE("a failed repetition is an error of its run") {
+    SweepRun run = run_of_cost(1);
+    run.repetitions = {run_of_cost(2)};
+    CHECK(test_case(run, {}).result == TestCase::Result::passed);
+    SweepRun& interrupted = run.repetitions.emplace_back();
+    interrupted.state = SweepRunState::interrupted;
+    CHECK(test_case(run, {}).result == TestCase::Result::error);
+    CHECK(test_case(run, {}).text == "to do");
+    interrupted.state = SweepRunState::broken, interrupted.problem = "killed: Aborted";
+    CHECK(test_case(run, {}).result == TestCase::Result::error);
+    CHECK(test_case(run, {}).text == "killed: Aborted");
+  }
+
+  TEST_CASE("a sweep with a failed repetition has not passed, and reports the message of the repetition") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "out/repeat-2/speed=1");
+    std::ofstream(folder / "out/sweep.lock") << "";
+    // a lock file cannot be opened through a symlink, so this run cannot write
+    fs::create_symlink("nowhere", folder / "out/repeat-2/speed=1/run.lock");
+    const Outcome outcome = program(tiny_sweep(folder, "out",
+                                               {"--grid", "speed=1,2", "--until", "1e-5", "--repeat", "2",
+                                                "--json", "--junit", folder.str("junit.xml")}));
+    CHECK(outcome.code == 4);
+    const auto answer = nlohmann::ordered_json::parse(outcome.out);
+    CHECK(answer["passed"] == false);
+    CHECK(answer["runs"][0]["status"] == "finished");
+    CHECK(contains(answer["runs"][0]["message"].get<std::string>(), "run.lock"));
+    CHECK(answer["runs"][1]["message"].is_null());
+    CHECK(contains(text_of(folder / "junit.xml"), "errors=\"1\""));
+  }
+
   TEST_CASE("a sweep that measures costs refuses more jobs than physical cores") {
     const TemporaryFolder folder;
     const std::string jobs = std::to_string(physical_cores() + 1);

@@ -1,13 +1,16 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <string>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/core.h>
 
 #include "cli/system/atomic_file.hpp"
 #include "cli/system/external_program.hpp"
@@ -43,6 +46,24 @@ TEST_SUITE("unit") {
     }
     CHECK(failed.load() == 0);
     CHECK(torn.load() == 0);
+    CHECK(files_in(folder.path()) == 1);
+  }
+
+  TEST_CASE("a pipe and a name in /dev receive the text, and are not replaced by a file") {
+    const TemporaryFolder folder;
+    const fs::path pipe = folder / "pipe";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK_THROWS_AS(cli::write_atomically(pipe, "unread"), OutputError);
+    const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK), writer = ::open(pipe.c_str(), O_WRONLY);
+    REQUIRE(writer >= 0);
+    char text[8] = {};
+    cli::write_atomically(pipe, "named");
+    CHECK(::read(reader, text, sizeof text) == 5);
+    cli::write_atomically(fmt::format("/dev/fd/{}", writer), "number");
+    CHECK(::read(reader, text, sizeof text) == 6);
+    CHECK(std::string(text, 6) == "number");
+    ::close(reader), ::close(writer);
+    CHECK(fs::is_fifo(pipe));
     CHECK(files_in(folder.path()) == 1);
   }
 

@@ -50,6 +50,7 @@ TEST_SUITE("unit") {
         CHECK(contains(said, path + std::string("' is in use by `taut tést` (process ")));
         CHECK(contains(said, " " + std::to_string(::getpid()) + " on "));
         CHECK(contains(said, ", since 20"));
+        CHECK(said.ends_with("); wait until it ends, or name another folder"));
       }
     }
     CHECK(refusal(folder / "run", Of::run).empty());

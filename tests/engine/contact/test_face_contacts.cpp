@@ -424,6 +424,40 @@ TEST_SUITE("unit") {
         CHECK(std::string(error.what()).find(part) != std::string::npos);
     }
   }
+
+  TEST_CASE("contact of faces: parts one particle thick are refused, straight, bent or jittered") {
+    const Box block{{0, -0.02, 0}, {0.02, -0.01, 0}};
+    const auto refusal = [&](const std::vector<Shape>& shapes, double jitter = 0) -> std::string {
+      Scene scene = scene_of({shapes.front(), block});
+      scene.bodies[0].shapes = shapes;
+      scene.jitter.share = jitter;
+      try {
+        make_simulation(scene, with_method("oenog"));
+      } catch (const SceneError& error) {
+        CHECK(error.key == "body.body 0");
+        return error.what();
+      }
+      return "";
+    };
+    const auto fin = [](int particles) -> std::vector<Shape> {
+      return {Box{{0, 0, 0}, {0.01, 0.01, 0}}, Box{{0.01, 0.005, 0}, {0.01 + particles * dp, 0.006, 0}}};
+    };
+    const auto wedge = [](double slope) -> std::vector<Shape> {
+      return {Polygon({Chain{{0, 0, 0}, {0.04, -0.04 * slope, 0}, {0.04, 0.04 * slope, 0}}})};
+    };
+    const std::string too_thin = "'body 0' is too thin to have all of them";
+    for (const double jitter : {0.0, 0.1}) {
+      CAPTURE(jitter);
+      CHECK(refusal(fin(10), jitter).find(too_thin) != std::string::npos);
+      CHECK(refusal({Ring{{0, 0, 0}, 0.005, 0.006}}, jitter).find(too_thin) != std::string::npos);
+      CHECK(refusal({Ring{{0, 0, 0}, 0.005, 0.007}}, jitter).empty());
+      CHECK(refusal({Box{{0, 0, 0}, {0.02, 0.002, 0}}}, jitter).empty());
+      CHECK(refusal(fin(3), jitter).empty());
+      CHECK(refusal(wedge(0.3), jitter).empty());
+    }
+    CHECK(refusal(wedge(0.1)).empty());
+    CHECK(refusal(wedge(0.03)).find(too_thin) != std::string::npos);
+  }
 }
 
 }  // namespace of_this_file

@@ -191,6 +191,9 @@ TEST_SUITE("unit") {
     std::vector<double> longer = row.x;
     for (double& at : longer) at *= 1.5;
     CHECK(sum_of_measures(row.cells(3).at(longer), 3) == Approx(4 * 1.5e-3));
+    std::vector<double> upright(row.x.size());
+    for (std::size_t i = 0; i < 4; ++i) upright[3 * i + 1] = row.x[3 * i];
+    CHECK(sum_of_measures(row.cells(3).at(upright), 3) == Approx(4e-3));
     CHECK(Cells(2, {}, {}, {}).at({}).particle.empty());
   }
 }

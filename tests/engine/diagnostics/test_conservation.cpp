@@ -36,8 +36,8 @@ TEST_SUITE("unit") {
       const Conservation found = watch.so_far();
       REQUIRE(found.energy);
       CHECK(*found.energy == Approx(0.25));
-      CHECK_FALSE(found.angular_momentum);  // no scale without rotation
       REQUIRE(found.linear_momentum.has_value() == !clamped);
+      CHECK(found.angular_momentum == (clamped ? std::nullopt : std::optional(0.0)));
       if (!clamped) CHECK(*found.linear_momentum == Approx(0.1));
     }
   }
@@ -57,6 +57,14 @@ TEST_SUITE("unit") {
     watch.follow(later);
     CHECK(*watch.so_far().linear_momentum == Approx(0.5));
     CHECK(*watch.so_far().angular_momentum == Approx(0.2));
+  }
+
+  TEST_CASE("conservation: bodies at rest on which nothing acts have no drift of momentum") {
+    ConservationWatch watch(Scene(), particle(false));
+    watch.follow(Balance());
+    watch.follow(Balance());
+    CHECK(*watch.so_far().linear_momentum == 0);
+    CHECK(*watch.so_far().angular_momentum == 0);
   }
 
   TEST_CASE("conservation: energy drift excludes external work and damping") {

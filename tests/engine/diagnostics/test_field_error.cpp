@@ -63,6 +63,9 @@ TEST_SUITE("unit") {
     scene.references["neo_hookean"].solution["displacement"] = shear();
     CHECK(measure(scene, {{0}, {}}, "neo_hookean", {}, &now)[0].why ==
           "the reference is 0 everywhere, so there is no relative error");
+    std::ranges::fill(now.clamped, 1);
+    CHECK(measure(scene, {{0}, {}}, "neo_hookean", {}, &now)[0].why ==
+          "all particles of the body are clamped");
     Measure misspelt = displacement();
     misspelt.fields[0] = "displacement_z";
     CHECK_THROWS_AS(field_error(misspelt, now, shear()), SceneError);

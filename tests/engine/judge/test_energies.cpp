@@ -112,6 +112,18 @@ TEST_SUITE("unit") {
     CHECK(test.gain().since == 2);
   }
 
+  TEST_CASE("energies: a body of one particle does not turn by itself") {
+    Squares squares(std::vector<Point>{{}});
+    squares.now = made_snapshot(2, {{0.3, 0.7, 0}});
+    squares.now.v = {1.1, -0.3};
+    EnergyTest test = squares.test();
+    for (const double time : {0.01, 0.02, 0.03}) {
+      squares.now.x[0] += 0.011, squares.now.x[1] -= 0.003;
+      CHECK_FALSE(squares.diverges(test, time));
+    }
+    CHECK(test.turn().greatest == 0);
+  }
+
   TEST_CASE("energies: a change of angular momentum is recorded for a free body and not for a clamped one") {
     for (const bool clamped : {false, true})
       for (const double common : {0.0, 10.0}) {

@@ -141,6 +141,22 @@ TEST_SUITE("unit") {
     CHECK(penetration(now) == 0);
   }
 
+  TEST_CASE(
+      "penetration: a row of particles between two bodies that it only touches does not penetrate them") {
+    std::vector<Point> places;
+    add_rows(places, 12, 13, {0, -6 * dp, 0});
+    Snapshot now = made_snapshot(2, places);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double y = now.x0[2 * i + 1];
+      now.body[i] = y < -0.5 * dp ? 0 : y < 0.5 * dp ? 1 : 2;
+    }
+    CHECK(Penetration(now, dp)(now) == 0);
+    Penetration penetration(now, dp);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      if (now.body[i] == 1) now.x[2 * i + 1] += 1.5 * dp;
+    CHECK(penetration(now) > 0);
+  }
+
   TEST_CASE("penetration: a particle penetrates a body from 0.29 spacings behind the body's outermost row") {
     const Snapshot start = two_blocks();
     const auto inside = [&](double right, double up) {

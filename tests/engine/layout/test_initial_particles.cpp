@@ -9,6 +9,8 @@
 
 #include "engine/error.hpp"
 #include "engine/layout/initial_particles.hpp"
+#include "engine/scene/shapes/combined.hpp"
+#include "engine/scene/shapes/implicit.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/scenes.hpp"
@@ -190,11 +192,22 @@ TEST_SUITE("unit") {
       make_initial_particles(one_body(2, 1, {Disc{{0, 0, 0}, 0.2}}));
     });
     CHECK(error.key == "body.thing");
-    CHECK(contains(error, "no particle"));
+    CHECK(contains(error, "no particle: its shapes are smaller than the spacing"));
     Scene empty = one_body(2, 1, {Box{}});
     empty.bodies.clear();
     CHECK(scene_error([&] { make_initial_particles(empty); }).key == "body");
     CHECK(scene_error([&] { make_simulation(empty, {}); }).key == "body");
+  }
+
+  TEST_CASE("layout: a body without particles may have an empty shape, which the error mentions") {
+    const Box box{{-4, -4, 0}, {4, 4, 0}};
+    const Shape nothing = Implicit{box, constant(0)};
+    const Shape apart = Combined{Combination::common, {Disc{{0, 0, 0}, 2}, Disc{{9, 0, 0}, 2}}};
+    for (const Shape& shape : {nothing, apart}) {
+      const SceneError error = scene_error([&] { make_initial_particles(one_body(2, 1, {shape})); });
+      CHECK(error.key == "body.thing");
+      CHECK(contains(error, "no particle: its shapes are empty or thinner than the spacing"));
+    }
   }
 
   TEST_CASE("layout: more than 20 million particles are refused before they are made") {
@@ -202,6 +215,20 @@ TEST_SUITE("unit") {
     CHECK(error.key == "spacing");
     CHECK(contains(error, "20 million"));
     CHECK(scene_error([] { make_initial_particles(colliding_rings(0.06, 1e-300)); }).key == "spacing");
+  }
+
+  TEST_CASE("layout: particles of shapes without exact measure are counted, not estimated") {
+    const Box box{{0, 0, 0}, {300, 300, 0}};
+    const Combined copies{Combination::together, std::vector<Shape>(300, box)};
+    REQUIRE(copies.measure(2) > greatest_particle_number);
+    Scene scene = one_body(2, 1, {copies});
+    CHECK(make_initial_particles(scene).size() == 90000);
+    scene.bodies[0].shapes = std::vector<Shape>(300, box);
+    CHECK(make_initial_particles(scene).size() == 90000);
+    scene.bodies.push_back(body_of(Box{{0, 400, 0}, {19950, 1400, 0}}));
+    const SceneError error = scene_error([&] { make_initial_particles(scene); });
+    CHECK(error.key == "spacing");
+    CHECK(contains(error, "would make more than 20 million particles; at most 20 million are allowed"));
   }
 }
 

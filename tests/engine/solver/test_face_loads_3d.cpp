@@ -12,6 +12,7 @@
 
 #include "engine/methods/bonded/layout/bonds.hpp"
 #include "engine/methods/bonded/methods.hpp"
+#include "engine/scene/shapes/turned.hpp"
 #include "engine/solver/face_loads.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
@@ -56,7 +57,7 @@ std::vector<FaceShare> shares_of(FaceRule rule, const Scene& scene, std::size_t 
   std::vector<int> id;
   for (int i = 0; i < initial.size(); ++i)
     if (one.where(initial.x[i]) != 0) id.push_back(i);
-  const FaceLayer layer = face_layer(one, initial, id, scene.spacing);
+  const FaceLayer layer = face_layer(one, scene.bodies[0], initial, id, scene.spacing);
   REQUIRE(layer.id.size() == id.size());
   return face_shares(rule, layer, initial, greatest_bond_reach * h, surface(make_bonds(scene, initial, h)),
                      scene.spacing);
@@ -137,7 +138,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("face loads in 3D: the pressure in a hollow ball acts on its inner face") {
     const double inner = 0.03;
-    for (const double dp : {0.005, 0.004}) {
+    for (const double dp : {0.005, 0.004, 0.0057, 0.0045}) {
       CAPTURE(dp);
       const auto outwards = [](int k) -> Expression {
         return [k](const Point& X) { return X[k] / std::hypot(X[0], X[1], X[2]); };
@@ -153,6 +154,31 @@ TEST_SUITE("unit") {
       // the area of the face, not of the layer
       CHECK(force == relative(4 * std::numbers::pi * inner * inner, 0.01));
     }
+  }
+}
+
+TEST_SUITE("unit") {
+  TEST_CASE(
+      "face loads in 3D: on a rotated pipe, the force equals the integral over the outer or an end face") {
+    const double dp = 0.002, inner = 0.018, outer = 0.0251, length = 0.0251;
+    const Rotation turn{.axis = {1, 0, 0}, .about = {}, .angle = 40},
+        back{.axis = turn.axis, .about = turn.about, .angle = -turn.angle};
+    const auto radius = [=](const Point& x) {
+      const Point X = rotated(back, x);
+      return std::hypot(X[0], X[1]);
+    };
+    const auto along = [=](const Point& x) { return rotated(back, x)[2]; };
+    const Cylinder pipe{{0, 0, 0}, {0, 0, length}, outer, inner, RoundLayout::aligned};
+    const Load side = traction([=](const Point&x) { return radius(x) > outer - dp ? 1.0 : 0.0; },
+                               {radius, constant(0), constant(0)}),
+               end = traction([=](const Point&x) { return along(x) > length - dp ? 1.0 : 0.0; },
+                              {along, constant(0), constant(0)});
+    const Scene scene = scene_of(Turned{pipe, turn}, dp, {side, end});
+    constexpr double pi = std::numbers::pi;
+    CHECK(sum_of(shares_of(FaceRule::by_column, scene, 0), scene).force[0] ==
+          relative(2 * pi * outer * length * outer, 0.01));
+    CHECK(sum_of(shares_of(FaceRule::by_column, scene, 1), scene).force[0] ==
+          relative(pi * (outer * outer - inner * inner) * length, 1e-3));
   }
 }
 

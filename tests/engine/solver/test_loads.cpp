@@ -1,11 +1,16 @@
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "engine/diagnostics/balance.hpp"
 #include "engine/error.hpp"
 #include "engine/judge/verdict.hpp"
+#include "engine/scene/shapes/turned.hpp"
 #include "tests/support/relative.hpp"
 #include "tests/support/runs.hpp"
 #include "tests/support/scenes.hpp"
@@ -52,6 +57,34 @@ Scene pulled_bar(double force) {
 }
 
 double energy(const Balance& sums) { return sums.kinetic + sums.strain; }
+
+/// Empty if the method accepts the traction.
+std::string refusal_of_traction(const Body& body, const Expression& where, int dim = 2,
+                                const char* method = "enog") {
+  Scene scene = bar();
+  scene.dim = dim;
+  scene.bodies[0] = body;
+  scene.bodies[0].name = "bar";
+  scene.bodies[0].loads = {load(Load::Kind::force, 1, 0), load(Load::Kind::traction, 500, 0)};
+  scene.bodies[0].loads[0].where = constant(1);
+  scene.bodies[0].loads[1].where = where;
+  try {
+    make_simulation(scene, with_method(method));
+    return "";
+  } catch (const SceneError& error) {
+    CHECK(error.key == "body.bar.loaded");
+    return error.what();
+  }
+}
+
+/// `depth`: of a place below the loaded face, m.
+void check_takes_one_layer(const Body& body, const std::function<double(const Point&)>& depth, int dim = 2) {
+  const auto region = [&](double layers) {
+    return [=](const Point& x) { return depth(x) < layers * dp ? 1.0 : 0.0; };
+  };
+  CHECK(refusal_of_traction(body, region(1), dim) == "");
+  CHECK(refusal_of_traction(body, region(2), dim).find("more than one layer deep") != std::string::npos);
+}
 
 bool keeps(const MethodInfo& method, const char* what) {
   return method.conserves.find(what) != std::string_view::npos;
@@ -264,6 +297,106 @@ TEST_SUITE("unit") {
       driven.bodies[0].drives[0].until = 0.5 * driven.until;
       CHECK_NOTHROW(make_simulation(driven, with_method("tl")));
     }
+  }
+
+  TEST_CASE(
+      "loads: a traction on several layers or inside a body is refused by every method with particles") {
+    const Body body = bar().bodies[0];
+    for (const char* method : {"enog", "oenog", "tl", "ulsph-av-as", "icb", "pf"}) {
+      CAPTURE(std::string(method));
+      const auto refusal = [&](const Expression& where) {
+        return refusal_of_traction(body, where, 2, method);
+      };
+      CHECK(refusal([](const Point& x) { return x[0] > length - dp ? 1.0 : 0.0; }) == "");
+      const std::string deep = refusal([](const Point& x) { return x[0] > length - 2 * dp ? 1.0 : 0.0; });
+      CHECK(deep.find("loaded[1]: the region of a traction on body 'bar' is more than one layer deep") == 0);
+      CHECK(deep.find("such as x > 0.04 - dp") != std::string::npos);
+      CHECK(refusal(constant(1)).find("more than one layer deep") != std::string::npos);
+      const std::string inside = refusal([](const Point& x) {
+        return std::abs(x[0] - 0.5 * length) < dp && std::abs(x[1] - 0.5 * H) < dp ? 1.0 : 0.0;
+      });
+      CHECK(inside.find("lies inside the body") != std::string::npos);
+    }
+  }
+
+  TEST_CASE("loads: on every layout a traction takes one layer and refuses two") {
+    const double R = 0.0083, inner = 0.0052;
+    const auto below_rim = [=](const Point& x) { return R - std::hypot(x[0], x[1]); };
+    const auto above_bore = [=](const Point& x) { return std::hypot(x[0], x[1]) - inner; };
+    using enum RoundLayout;
+    Body body;
+    for (const RoundLayout layout : {lattice, spaced}) {
+      body.shapes = {Disc{{}, R, layout}};
+      check_takes_one_layer(body, below_rim);
+    }
+    for (const RoundLayout layout : {lattice, spaced, aligned}) {
+      body.shapes = {Ring{{}, inner, 1.7 * R, layout}};
+      check_takes_one_layer(body, above_bore);
+    }
+    body.shapes = {Disc{{}, R}};
+    body.relaxed = true;
+    check_takes_one_layer(body, below_rim);
+    body = {};
+    body.shapes = {Box{{-0.012, -0.012, 0}, {0.012, 0.012, 0}}};
+    body.without = {Disc{{0.0003, 0.0001, 0}, inner}};
+    check_takes_one_layer(body, above_bore);
+    body.without = {};
+    body.lattice = Lattice::hexagonal;
+    for (const std::size_t axis : {0, 1})
+      check_takes_one_layer(body, [=](const Point& x) { return 0.012 - x[axis]; });
+    body = {};
+    body.shapes = {Disc{{}, 0.0061}};
+    check_takes_one_layer(
+        body, [](const Point& x) { return 0.0061 - std::hypot(x[0], x[1], x[2]); }, 3);
+    body.shapes = {Cylinder{{}, {0, 0, 0.0072}, R, inner, aligned}};
+    check_takes_one_layer(body, below_rim, 3);
+    check_takes_one_layer(
+        body, [](const Point& x) { return 0.0072 - x[2]; }, 3);
+    for (const double angle : {10.0, 30.0, 45.0}) {
+      CAPTURE(angle);
+      const Rotation turn{.about = {}, .angle = angle}, back{.about = {}, .angle = -angle};
+      const auto below_end = [=](const Point& x) { return length - rotated(back, x)[0]; };
+      const Box box{{0, 0, 0}, {length, 8 * dp, 0}}, seed{{0.005, 0.005, 0}, {0.006, 0.006, 0}};
+      body.shapes = {Turned{box, turn}};
+      check_takes_one_layer(body, below_end);
+      body.shapes = {seed, Turned{box, turn}};  // cut from a lattice along the axes
+      check_takes_one_layer(body, below_end);
+      body.shapes = {box};
+      body.rotation = turn;
+      check_takes_one_layer(body, below_end);
+      body.rotation = {};
+    }
+  }
+
+  TEST_CASE("loads: a traction may cover both sides of a thin plate, adjacent faces, or a part of a face") {
+    for (const int rows : {1, 2, 3, 6}) {
+      CAPTURE(rows);
+      Body body;
+      body.shapes = {Box{{0, 0, 0}, {0.02, rows * dp, 0}}};
+      const auto from_sides = [=](const Point& x) { return std::min(x[1], rows * dp - x[1]); };
+      const auto from_faces = [=](const Point& x) { return std::min(0.02 - x[0], from_sides(x)); };
+      CHECK(refusal_of_traction(body, [=](const Point& x) { return from_sides(x) < dp ? 1.0 : 0.0; }) == "");
+      CHECK(refusal_of_traction(body, [=](const Point& x) { return from_faces(x) < dp ? 1.0 : 0.0; }) == "");
+      CHECK(refusal_of_traction(body, [=](const Point& x) {
+              return x[1] < dp && std::abs(x[0] - 0.01) < 2 * dp ? 1.0 : 0.0;
+            }) == "");
+      // in one or two rows, each particle has a face of its own
+      CHECK(refusal_of_traction(body, constant(1)).empty() == (rows < 3));
+    }
+  }
+
+  TEST_CASE(
+      "loads: methods that search neighbours load a ring by the area of its layer, whatever its thickness") {
+    const double inner = 0.01, outer = 0.01245, middle = outer - (outer - inner) / 4;
+    Scene scene = bar();
+    scene.bodies[0].shapes = {Ring{{0, 0, 0}, inner, outer}};
+    scene.bodies[0].loads = {load(Load::Kind::traction, 500, 0)};
+    scene.bodies[0].loads[0].where = [=](const Point& at) {
+      return std::hypot(at[0], at[1]) > outer - dp ? 1.0 : 0.0;
+    };
+    const Snapshot now = state_after(1, scene, with_method("enog"));
+    const double force = 500 * 2 * std::numbers::pi * middle;
+    CHECK(balance(now, scene).linear_momentum[0] == relative(force * now.time));
   }
 
   TEST_CASE("loads: elements refuse a traction in a region that contains no cell at the surface") {

@@ -180,6 +180,19 @@ TEST_SUITE("unit") {
                          doctest::Contains("not images of each other"), SceneError);
   }
 
+  TEST_CASE("probes: the mirror asymmetry of two bodies follows them while they are apart") {
+    Scene scene = colliding_rings(0.06, 0.0025);
+    for (Expression& component : scene.bodies[1].velocity) component = {};
+    scene.probes = {make_probe("mirror", Probe::Kind::mirror_asymmetry, {0, 1})};
+    for (const char* method : {"enog", "tl"}) {
+      CAPTURE(method);
+      const auto simulation = make_simulation(scene, with_method(method));
+      const double x = simulation->snapshot().x[0];
+      make_steps(*simulation, 96);
+      CHECK(simulation->series().value[0].back() > 0.6 * std::abs(simulation->snapshot().x[0] - x));
+    }
+  }
+
   TEST_CASE("probes: a mass centre moves with its body") {
     const double speed = 3;
     Scene scene = two_blocks(0.01, speed);

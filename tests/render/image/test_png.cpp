@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <doctest/doctest.h>
 
@@ -151,15 +152,28 @@ TEST_SUITE("unit") {
       FAIL("nothing was thrown");
     } catch (const OutputError& error) {
       CHECK(error.path == (folder / "none/a.png").string());
-      CHECK(std::string(error.what()).find("No such file or directory") != std::string::npos);
+      CHECK(std::string(error.what()) == "cannot be written: No such file or directory");
     }
   }
 
   TEST_CASE("a failed write to a name taken by a folder leaves nothing behind") {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "a.png");
-    CHECK_THROWS_AS(write_png(gradient(4, 4), folder / "a.png"), OutputError);
+    CHECK_THROWS_WITH_AS(write_png(gradient(4, 4), folder / "a.png"), "cannot be written: it is a folder",
+                         OutputError);
     CHECK(files_in(folder.path()) == 1);
+  }
+
+  TEST_CASE("a pipe with the name of a picture is refused, not replaced, also behind a link") {
+    const TemporaryFolder folder;
+    REQUIRE(::mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
+    std::filesystem::create_symlink("pipe.png", folder / "link.png");
+    for (const char* name : {"pipe.png", "link.png"})
+      CHECK_THROWS_WITH_AS(write_png(gradient(4, 4), folder / name),
+                           "cannot be written: it is not a regular file", OutputError);
+    CHECK(std::filesystem::is_fifo(folder / "pipe.png"));
+    CHECK(std::filesystem::is_symlink(folder / "link.png"));
+    CHECK(files_in(folder.path()) == 2);
   }
 
   TEST_CASE("a full disk leaves the old file and nothing else") {
