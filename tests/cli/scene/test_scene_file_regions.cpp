@@ -124,8 +124,8 @@ TEST_SUITE("cli") {
     CHECK(loads[2].kind == Load::Kind::force_density);
     check_block_error("loaded = [{ where = 1, @fource = [1, 0] }]",
                       {"unknown key 'fource'", "did you mean 'force'?"});
-    check_block_error("loaded = [@{ where = 1 }]",
-                      {"'force', 'force_density' or 'traction' is missing", "in a loaded region of body 'block'"});
+    check_block_error("loaded = [@{ where = 1 }]", {"'force', 'force_density' or 'traction' is missing",
+                                                    "in a loaded region of body 'block'"});
     check_block_error("loaded = [{ where = 1, force = [1, 0], traction = @[1, 0] }]",
                       {"traction and force are both given"});
     check_block_error("loaded = [{ where = 1, force = @[1] }]", {"force must be an array of 2"});
