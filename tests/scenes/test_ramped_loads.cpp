@@ -39,7 +39,7 @@ material = "rubber"
 held = "x < 0"
 )";
 const std::string traction =
-    "loaded = [{ where = \"x > 0.1\", traction = [0, \"-load\"], ramp = \"t < T ? t/T : 1\" }]\n";
+    "loaded = [{ where = \"x > 0.1 && y > 0.01 - dp\", traction = [0, \"-load\"], ramp = \"t < T ? t/T : 1\" }]\n";
 const std::string weight = "gravity = [0, \"-load*min(t/T, 1)\"]\n";
 
 class Beam {

@@ -374,7 +374,8 @@ TEST_SUITE("cli") {
   TEST_CASE("scene: messages explain common mistakes") {
     check_error("youngs_modulus = 1e7", "youngs_modulus = \"10 @MPa\"",
                 {"has a unit", "write the number alone, in SI units or degrees: 1e+07"});
-    check_error("low = [0, 0]", "low = [\"5 @mm\", 0]", {"has a unit", "0.005"});
+    for (const char* low : {"low = [\"5 @mm\", 0]", "low = [\"5 @mm \", 0]"})
+      check_error("low = [0, 0]", low, {"has a unit", "0.005"});
     check_error("[[body]]\nname = \"ring\"", "rotate = \"20 @deg\"\n[[body]]\nname = \"ring\"",
                 {"'20 deg' has a unit", "write the number alone, in SI units or degrees: 20"});
     check_error("velocity = [\"v0*c0*x\", 0]", "velocity = [\"x > 0 @and y > 0\", 0]",

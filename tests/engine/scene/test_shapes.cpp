@@ -149,6 +149,14 @@ TEST_SUITE("unit") {
                   pi * 4e-4, 1e-3);
   }
 
+  TEST_CASE("shapes: points of a contour are evenly spaced between corners, however its own points lie") {
+    const Chain lines = {{0, 0, 0}, {0.1, 0, 0}, {0.3, 0, 0}, {1, 0, 0}, {1, 0.6, 0}, {1, 1, 0}, {0, 1, 0}};
+    const Chain even = evenly_spaced(lines, 0.25);
+    REQUIRE(even.size() == 16);
+    for (std::size_t k = 0; k < even.size(); ++k)
+      CHECK(distance_between(even[k], even[(k + 1) % even.size()], 2) == relative(0.25, 1e-12));
+  }
+
   TEST_CASE("shapes: crossing contours are found") {
     CHECK_FALSE(crossing({star(0.02, 0.01)}));
     CHECK_FALSE(crossing({square(2), square(1)}));

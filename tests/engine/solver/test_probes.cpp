@@ -159,6 +159,15 @@ TEST_SUITE("unit") {
     CHECK(least > -0.5 * dp);
   }
 
+  TEST_CASE("probes: the gap of two particles is the distance of their surfaces") {
+    Scene scene = two_blocks(0.0012, 10);
+    const double dp = scene.spacing;
+    scene.bodies[0].shapes = {Box{{0, 0, 0}, {dp, dp, 0}}};
+    scene.bodies[1].shapes = {Box{{2.2 * dp, 0, 0}, {3.2 * dp, dp, 0}}};
+    scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};
+    CHECK(make_simulation(scene, with_method("enog"))->series().value[0][0] == relative(1.2 * dp));
+  }
+
   TEST_CASE("probes: the gap of distant bodies is the support minus one spacing") {
     Scene scene = two_blocks(0.01, 0);
     scene.probes = {make_probe("gap", Probe::Kind::gap, {0, 1})};

@@ -148,6 +148,24 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("failure") {
+  TEST_CASE("oenog: an off-lattice body has the same bonds as the first and as the second body") {
+    Scene scene = square(6);
+    scene.bodies.push_back(scene.bodies[0]);
+    scene.bodies[1].name = "disc";
+    scene.bodies[1].shapes = {Disc{{0.05, 0, 0}, 8 * dp, RoundLayout::spaced}};
+    const Snapshot second = state_after(20, scene, with_method("oenog"));
+    std::swap(scene.bodies[0], scene.bodies[1]);
+    const Snapshot first = state_after(20, scene, with_method("oenog"));
+    const std::size_t n = 2 * static_cast<std::size_t>(std::ranges::count(first.body, 0));
+    double moved = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t other = second.x.size() - n + k;
+      CHECK(std::abs(first.x[k] - second.x[other]) < 1e-9 * dp);
+      moved = std::max(moved, std::abs(first.x[k] - first.x0[k]));
+    }
+    CHECK(moved < 1e-6 * dp);
+  }
+
   TEST_CASE("oenog: an off-lattice body with bonds in single precision stays at rest") {
     Scene layers = block(7);
     layers.bodies[0].shapes = {Ring{{}, 3 * dp, 6 * dp, RoundLayout::aligned}};
