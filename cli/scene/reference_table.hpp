@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Checksum of the contents of all files that the scene names; empty without such files. Throws OutputError.
+/// Checksum of the contents of all files that the scene names; empty without such files.
 std::string file_checksum(const SceneFile& scene);
 
 }  // namespace taut::cli
