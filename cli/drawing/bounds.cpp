@@ -138,7 +138,6 @@ Drawing fitted(Drawing drawing, const SequenceBounds& shown) {
   render::Look& look = drawing.look;
   const ColorMeaning colors = meaning(drawing);
   look.unit = colors.unit;
-  if (drawing.formula.empty() && drawing.field->counts == Counted::bodies) look.unlisted = drawing.hidden;
   if (look.categories.empty()) {
     const std::optional<double> middle = colors.middle;
     look.middle = middle.value_or(0);

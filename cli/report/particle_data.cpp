@@ -78,8 +78,13 @@ Json key_of(const Drawing& drawing) {
            {"unit", named ? std::string(drawing.field->unit) : ""}};
   Json colors = Json::array();
   if (!look.categories.empty()) {
-    key["names"] = look.categories;
-    for (std::size_t k = 0; k < look.categories.size(); ++k) colors.add(hex(render::category_color(k)));
+    Json names = Json::array();
+    for (std::size_t k = 0; k < look.categories.size(); ++k) {
+      if (std::ranges::count(look.unlisted, static_cast<int>(k)) > 0) continue;
+      names.add(look.categories[k]);
+      colors.add(hex(render::category_color(k)));
+    }
+    key["names"] = names;
   } else {
     key["low"] = look.range->low;
     key["high"] = look.range->high;

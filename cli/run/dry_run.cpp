@@ -86,9 +86,9 @@ std::string dry_run(const RunPlan& plan, std::ostream& err) {
   const Trial trial = make_steps(*simulation);
   const double steps = std::ceil(file.scene.until / trial.step), seconds = steps * trial.seconds;
   const double bytes = memory_in_use() + memory_of_frames(plan, particles);
-  std::string text = fmt::format("{} with {}: {} particles at dp = {} m, about {:.0f} steps to t = {} s\n\n",
+  std::string text = fmt::format("{} with {}: {} particles at dp = {} m, about {:.0f} step{} to t = {} s\n\n",
                                  file.scene.name, file.settings.method, particles, brief(file.scene.spacing),
-                                 steps, brief(file.scene.until));
+                                 steps, steps == 1 ? "" : "s", brief(file.scene.until));
   const auto row = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<10}  {}\n", name, value);
   };

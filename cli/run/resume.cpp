@@ -52,6 +52,13 @@ void check_same_scene(const Checkpoint& checkpoint, const RunFolder& folder, con
                     folder.scene().string()));
 }
 
+void check_same_files(const StoredRecord& record, const RunFolder& folder, const RunPlan& plan) {
+  if (!record.file_checksum.empty() && record.file_checksum != plan.file_checksum)
+    throw UsageError(fmt::format(
+        "a table or shape that '{}' names has changed since the run started; restore it, or start again",
+        folder.scene().string()));
+}
+
 RunOptions stored_options(const RunFolder& folder, const std::optional<Checkpoint>& checkpoint,
                           const RunOptions& given) {
   RunOptions options;
@@ -107,6 +114,19 @@ std::string first_conflict(const RunOptions& given, const RunOptions& stored, co
              : "";
 }
 
+/// Bonds and loads at the start depend on which drives end before the run.
+void check_same_drives(const Scene& scene, const Scene& longer) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (std::size_t k = 0; k < scene.bodies[b].drives.size(); ++k) {
+      const Drive& drive = scene.bodies[b].drives[k];
+      if (ends_before_run(drive, scene) != ends_before_run(longer.bodies[b].drives[k], longer))
+        throw UsageError(
+            fmt::format("the run cannot continue past {} s, where a drive of body '{}' ends; "
+                        "name at most this time, or start again with --until {}",
+                        exact(*drive.until), scene.bodies[b].name, exact(longer.until)));
+    }
+}
+
 /// Keeps the intervals of frames and rows.
 RunPlan run_on(const RunPlan& plan, RunOptions stored, double until) {
   stored.settings = {{"until", exact(until)}};
@@ -121,6 +141,7 @@ RunPlan run_on(const RunPlan& plan, RunOptions stored, double until) {
   }
   stored.keep_checkpoint = true;
   RunPlan longer = make_plan(stored);
+  check_same_drives(plan.file.scene, longer.file.scene);
   longer.runs_on = true;
   return longer;
 }
@@ -152,8 +173,9 @@ RunPlan resume_plan(const fs::path& path, const RunOptions& options) {
   if (later) plan = run_on(plan, stored, *later);
   plan.requested_spacing = checkpoint ? checkpoint->requested_spacing : record->requested_spacing;
   if (checkpoint && !checkpoint->state.empty()) {
+    check_same_files(*record, folder, plan);
     plan.state = std::move(checkpoint->state);
-    plan.file_checksum = record->file_checksum;  // the state is from the files read at the start
+    plan.file_checksum = record->file_checksum;
   }
   return plan;
 }

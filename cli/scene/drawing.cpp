@@ -140,19 +140,38 @@ double round_off(const Field& field, const Scene& scene) {
   return field.unit.empty() ? strain + in_single_precision * std::abs(field.middle) : 0;
 }
 
+/// Materials that only hidden bodies or no bodies have.
+std::vector<int> unseen_materials(const Scene& scene, const std::vector<int>& hidden) {
+  std::vector<bool> seen(scene.materials.size());
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (std::ranges::count(hidden, static_cast<int>(b)) > 0) continue;
+    const Body& body = scene.bodies[b];
+    seen[static_cast<std::size_t>(body.material)] = true;
+    for (const Part& part : body.parts) seen[static_cast<std::size_t>(part.material)] = true;
+  }
+  std::vector<int> unseen;
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    if (!seen[k]) unseen.push_back(static_cast<int>(k));
+  return unseen;
+}
+
 void fill_from_scene(Drawing& drawing, const Scene& scene) {
+  drawing.hidden.clear();
+  for (const std::string& name : split_at_commas(drawing.hide))
+    drawing.hidden.push_back(static_cast<int>(index_of(scene.bodies, name)));
   drawing.look.categories.clear();
+  drawing.look.unlisted.clear();
   const Counted counted = drawing.formula.empty() ? drawing.field->counts : Counted::nothing;
-  if (counted == Counted::bodies) drawing.look.categories = names_of(scene.bodies);
-  if (counted == Counted::materials) drawing.look.categories = names_of(scene.materials);
+  if (counted == Counted::bodies)
+    drawing.look.categories = names_of(scene.bodies), drawing.look.unlisted = drawing.hidden;
+  if (counted == Counted::materials)
+    drawing.look.categories = names_of(scene.materials),
+    drawing.look.unlisted = unseen_materials(scene, drawing.hidden);
   if (scene.dim == 3 && !drawing.look.camera) drawing.look.camera.emplace();
   drawing.walls.clear();
   for (const Wall& wall : scene.walls) drawing.walls.push_back({wall.at, wall.normal});
   drawing.round_off = drawing.formula.empty() ? round_off(*drawing.field, scene) : 0;
   drawing.followed.reset();
-  drawing.hidden.clear();
-  for (const std::string& name : split_at_commas(drawing.hide))
-    drawing.hidden.push_back(static_cast<int>(index_of(scene.bodies, name)));
   const bool needs_scene = drawing.style == Style::surface || drawing.outline != Outlines::none;
   drawing.scene = needs_scene ? std::make_shared<const Scene>(scene) : nullptr;
   if (!drawing.follow.empty()) drawing.followed = static_cast<int>(index_of(scene.bodies, drawing.follow));

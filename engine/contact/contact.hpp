@@ -39,7 +39,7 @@ class Contact {
   const V& force(int i) const { return force_[i]; }
 
   /// Calls `change(i, impulse)` for touching particles if the law has impulses. To conserve angular momentum, impulses
-  /// act at the positions of `gone` seconds ago, as the forces did. `inverse_mass(i)`: 1/kg, 0 if immovable.
+  /// act at the positions of `gone` seconds ago, as the forces did. `inverse_mass(i)`: [axis] 1/kg, 0 if immovable.
   template <class InverseMass, class Change>
   void stop_approach(const Particles<Dim>& s, double gone, const InverseMass& inverse_mass,
                      const Change& change) {
@@ -82,7 +82,7 @@ class Contact {
   std::unique_ptr<ContactMechanism<Dim>> mechanism_;
   ContactsOfFaces<Dim>* faces_ = nullptr;
   std::vector<V> force_;
-  std::vector<double> inverse_mass_;  // 1/kg
+  std::vector<V> inverse_mass_;  // 1/kg
   std::vector<V> impulse_;
   std::vector<Probed> probed_;
 };

@@ -47,9 +47,9 @@ class ContactMechanism {
   }
 
   virtual bool has_impulses() const { return false; }
-  /// See Contact::stop_approach. `inverse_mass`: [particle] 1/kg.
+  /// See Contact::stop_approach. `inverse_mass`: [particle][axis] 1/kg.
   virtual void stop_approach(const Particles<Dim>& /*particles*/, double /*gone*/,
-                             WallContacts<Dim>& /*walls*/, const std::vector<double>& /*inverse_mass*/,
+                             WallContacts<Dim>& /*walls*/, const std::vector<V>& /*inverse_mass*/,
                              std::vector<V>& /*impulse*/) {}
   virtual V impulse(int /*a*/, int /*b*/, int /*wall*/) const { return {}; }
 

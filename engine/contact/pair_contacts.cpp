@@ -113,23 +113,36 @@ auto PairContacts<Dim>::of_wall(const Particles<Dim>& s, int a, int wall,
   return sum * walls.normal(wall);
 }
 
+/// Inverse mass along the unit vector e; `inverse` is 0 along fixed axes and equal along the others.
+template <int Dim>
+double along(const Vec<double, Dim>& inverse, const Vec<double, Dim>& e) {
+  constexpr double round_off = 1e-12;
+  double most = 0, free = 1;
+  for (int k = 0; k < Dim; ++k) {
+    most = std::max(most, inverse[k]);
+    if (inverse[k] == 0) free -= e[k] * e[k];
+  }
+  return free > round_off ? free * most : 0;
+}
+
 template <int Dim>
 void PairContacts<Dim>::stop_approach(const Particles<Dim>& s, double gone, WallContacts<Dim>& walls,
-                                      const std::vector<double>& inverse_mass, std::vector<V>& impulse) {
+                                      const std::vector<V>& inverse_mass, std::vector<V>& impulse) {
   const auto stop = law_.impulse;
   for (std::vector<V>& given : recorded_impulses_) std::ranges::fill(given, V{});
   for (const int i : touching_) {
     impulse[i] = V{};
     for_each_touch(s, i, gone, [&](int j, const V& d, double r) {
       const double closing_speed = -dot(s.v[i] - s.v[j], d) / r;
-      const V given = (stop(closing_speed, inverse_mass[i], inverse_mass[j]) / r) * d;
+      const V e = (1 / r) * d;
+      const V given = (stop(closing_speed, along(inverse_mass[i], e), along(inverse_mass[j], e)) / r) * d;
       impulse[i] += given;
       record_impulse(s.body[i], s.body[j], given);
     });
   }
   for_each_wall_touch(s, walls, gone, [&](int i, int wall, const V& x, double) {
     const V& normal = walls.normal(wall);
-    const V given = stop(-dot(s.v[i], normal), inverse_mass[i], 0) * normal;
+    const V given = stop(-dot(s.v[i], normal), along(inverse_mass[i], normal), 0) * normal;
     impulse[i] += given;
     record_impulse(s.body[i], bodies() + wall, given);
     walls.record_impulse(x, given);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -27,12 +28,16 @@ class PairContacts final : public ContactMechanism<Dim> {
   void evaluate(const Particles<Dim>& s, double dt, WallContacts<Dim>& walls, std::vector<V>& force,
                 int threads) override;
   double energy(const Particles<Dim>& s, const WallContacts<Dim>& walls) override;
+  /// Stable at the usual step up to six times the modulus.
+  double stiffening() const override {
+    return law_.force && !touching_.empty() ? std::max(1.0, stiffness_ / 4) : 1;
+  }
   V between(const Particles<Dim>& s, int a, int b) const override;
   V of_wall(const Particles<Dim>& s, int a, int wall, const WallContacts<Dim>& walls) const override;
 
   bool has_impulses() const override { return law_.impulse != nullptr; }
   void stop_approach(const Particles<Dim>& s, double gone, WallContacts<Dim>& walls,
-                     const std::vector<double>& inverse_mass, std::vector<V>& impulse) override;
+                     const std::vector<V>& inverse_mass, std::vector<V>& impulse) override;
   V impulse(int body, int other, int wall) const override;
 
   Neighbors neighbors(int particles) const override { return candidates_.neighbors(particles); }

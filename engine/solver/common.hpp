@@ -63,7 +63,11 @@ class Common {
   void stop_approach(double gone, const Follow& follow) {
     Particles<Dim>& p = particles;
     const auto inverse_mass = [&](int i) {
-      return external.drives.moves(p.id[i]) ? 0 : p.mobile[i] / p.m[i];
+      V inverse{};
+      if (external.drives.moves(p.id[i])) return inverse;
+      for (int k = 0; k < Dim; ++k) inverse[k] = p.mobile[i] / p.m[i];
+      external.guides.constrain(p.id[i], inverse);
+      return inverse;
     };
     contact.stop_approach(p, gone, inverse_mass, [&](int i, const V& impulse) {
       if (external.reactions.active()) external.reactions.add(i, impulse);

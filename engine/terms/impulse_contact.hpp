@@ -8,7 +8,7 @@
 namespace taut {
 
 /// Impulse on each particle along the pair, N s: [Khayyer2024] Eq. 54 times Δt (THEORY.md). Departure: inverse
-/// masses, 0 for clamped particles.
+/// masses, 0 for clamped particles and along the fixed axes of rollers.
 inline double stopping_impulse(double closing_speed, double inv_m_i, double inv_m_j) {
   const double inv_mu = inv_m_i + inv_m_j;
   return inv_mu > 0 ? std::max(closing_speed, 0.0) / inv_mu : 0;

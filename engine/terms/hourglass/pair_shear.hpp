@@ -5,7 +5,7 @@
 #include "engine/term_info.hpp"
 
 /// Isotropic stress on particles and shear on pairs, [Wu2023] as in the sources of SPHinXsys. Departures: the law of
-/// `tl`, with the exponents of 3D and τ = K J (J − 1) instead of ½ K (J² − 1).
+/// `tl`, with the exponents of 3D and τ = K J (J − 1) instead of ½ K (J² − 1), and c0 in the damping of all components.
 namespace taut {
 
 /// Weight of a pair's shear, Pa; `G` includes the factor 1.07 of the paper.

@@ -6,6 +6,7 @@
 #include "cli/drawing/keys.hpp"
 #include "cli/drawing/options.hpp"
 #include "cli/drawing/page_keys.hpp"
+#include "cli/scene/scene_file.hpp"
 #include "engine/error.hpp"
 #include "tests/support/program_runner.hpp"
 #include "tests/support/relative.hpp"
@@ -193,13 +194,26 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("bodies that are hidden are not listed in the legend") {
+  TEST_CASE("hidden bodies and the materials that only they have are not listed in the legend") {
+    SceneFile file;
+    for (const char* name : {"steel", "rubber", "foam", "unused"})
+      file.scene.materials.push_back({.name = name});
+    file.scene.bodies.resize(3);
+    file.scene.bodies[0].name = "plate", file.scene.bodies[0].material = 0;
+    file.scene.bodies[1].name = "ring", file.scene.bodies[1].material = 1;
+    file.scene.bodies[2].name = "ball", file.scene.bodies[2].material = 2;
+    file.scene.bodies[2].parts.push_back({.material = 1, .where = {}});
     Drawing drawing;
-    drawing.look.categories = {"plate", "ring", "ball"}, drawing.hidden = {0, 2};
-    drawing.field = find_field("body");
-    CHECK(fitted(drawing, SequenceBounds()).look.unlisted == drawing.hidden);
-    drawing.field = find_field("material");
-    CHECK(fitted(drawing, SequenceBounds()).look.unlisted.empty());
+    const auto unlisted = [&](const char* color, const char* hide) {
+      drawing.field = find_field(color), drawing.hide = hide;
+      apply_scene(drawing, file);
+      return drawing.look.unlisted;
+    };
+    CHECK(unlisted("body", "plate,ball") == std::vector{0, 2});
+    CHECK(unlisted("body", "").empty());
+    CHECK(unlisted("material", "ring") == std::vector{3});
+    CHECK(unlisted("material", "ball,plate") == std::vector{0, 2, 3});
+    CHECK(unlisted("von_mises", "ring").empty());
   }
 
   TEST_CASE(

@@ -111,6 +111,24 @@ TEST_SUITE("restart") {
     fs::remove(folder / "out/checkpoint.bin");
     check({"--until", "0.004"}, "it has no checkpoint");
   }
+
+  TEST_CASE("a run continues to the end of a drive and not past it") {
+    const TemporaryFolder folder;
+    Arguments start = tiny_run(folder, "out", {"--keep-checkpoint"});
+    std::string scene = text_of(start[1]);
+    scene.insert(scene.find("[[body]]\nname = \"right\""),
+                 "driven = [{ where = \"x < -0.018\", velocity = [0, 0], until = 0.003 }]\n");
+    std::ofstream(start[1]) << scene;
+    REQUIRE(call(start).code == 0);
+    REQUIRE(call(resumed(folder, {"--until", "0.003"})).code == 0);
+    const std::string history = text_of(folder / "out/history.csv");
+    const Outcome refused = call(resumed(folder, {"--until", "0.004"}));
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err,
+                   "the run cannot continue past 0.003 s, where a drive of body 'left' ends; "
+                   "name at most this time, or start again with --until 0.004"));
+    CHECK(text_of(folder / "out/history.csv") == history);
+  }
 }
 
 TEST_SUITE("cli") {

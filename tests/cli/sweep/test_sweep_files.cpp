@@ -104,18 +104,28 @@ TEST_SUITE("cli") {
     CHECK(ends(folder / "out") == before);
   }
 
-  TEST_CASE("a continued run keeps the checksum of the files that it read at its start") {
+  TEST_CASE("a run continues only with the same tables and shapes") {
     const TemporaryFolder folder;
     sweep_with_files(folder, {});
+    const fs::path record = folder / "run/run.json";
     const auto run = [&](Texts words) {
       words.insert(words.end(), {"--quiet", "--no-render", "--keep-checkpoint"});
-      REQUIRE(program(words).code == 0);
-      return json_of(folder / "run/run.json")["file_checksum"];
+      return program(words);
     };
-    const auto before = run({"run", folder.str("files.toml"), "--out", folder.str("run"), "--until", "1e-5"});
+    const Texts start{"run", folder.str("files.toml"), "--out", folder.str("run"), "--until", "1e-5"};
+    REQUIRE(run(start).code == 0);
+    const auto checksum = json_of(record)["file_checksum"];
+    REQUIRE(run({"run", "--resume", folder.str("run"), "--until", "2e-5"}).code == 0);
+    CHECK(json_of(record)["file_checksum"] == checksum);
     write_table(folder, "0.001");
-    CHECK(run({"run", "--resume", folder.str("run"), "--until", "2e-5"}) == before);
-    CHECK(run({"run", folder.str("files.toml"), "--out", folder.str("run"), "--until", "1e-5"}) != before);
+    const std::string before = text_of(record);
+    const Outcome refused = run({"run", "--resume", folder.str("run"), "--until", "4e-5"});
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "a table or shape that '" + folder.str("run/scene.toml") +
+                                    "' names has changed since the run started"));
+    CHECK(text_of(record) == before);
+    REQUIRE(run(start).code == 0);
+    CHECK(json_of(record)["file_checksum"] != checksum);
   }
 
   TEST_CASE("a sweep replaces runs whose saved particles have other fields, precision or format") {

@@ -98,6 +98,21 @@ TEST_SUITE("analytic") {
     }
   }
 
+  TEST_CASE("impulse contact: a particle on rollers is immovable along its fixed axis only") {
+    for (const char* method : {"og", "enog", "oenog"}) {
+      CAPTURE(std::string(method));
+      for (const bool fixed : {true, false}) {
+        Scene scene = two_particles(0.99, 1);
+        scene.contact = ContactLaw::impulse;
+        scene.bodies[0].velocity = {};
+        scene.bodies[0].guided[fixed ? 0 : 1] = constant(1);
+        const Snapshot now = state_after(1, scene, with_method(method));
+        CHECK(now.v[0] == Approx(fixed ? 0 : -0.5).epsilon(1e-12));
+        CHECK(now.v[2] == Approx(fixed ? 0 : -0.5).epsilon(1e-12));
+      }
+    }
+  }
+
   TEST_CASE("penalty contact: two particles rebound as from a spring and conserve their energy") {
     for (const char* method : {"og", "enog", "oenog"}) {
       CAPTURE(std::string(method));
@@ -149,6 +164,29 @@ TEST_SUITE("conservation") {
         const double gain = method.name == "ccb" ? 1.08 : method.name == "pf" ? 3 : 1.003;
         CHECK(after.kinetic + after.strain < gain * before.kinetic);
       }
+    }
+  }
+}
+
+TEST_SUITE("stability") {
+  TEST_CASE(
+      "penalty contact: the greatest allowed stiffness shortens the steps and adds less than 2 % energy") {
+    Scene scene = small_collision();
+    scene.contact = ContactLaw::penalty;
+    for (const char* method : {"oenog", "tl", "icb"}) {
+      CAPTURE(method);
+      const auto run = [&](double stiffness) {
+        Settings settings = with_method(method);
+        settings.constants["contact_stiffness"] = stiffness;
+        const auto simulation = make_simulation(scene, settings);
+        const double start = total_energy(*simulation, scene);
+        simulation->advance_to(4e-4);
+        CHECK(total_energy(*simulation, scene) < 1.02 * start);
+        return simulation->steps();
+      };
+      const long usual = run(4);
+      CHECK(run(2) <= usual);
+      CHECK(run(100) > 2 * usual);
     }
   }
 }
