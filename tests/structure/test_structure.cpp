@@ -46,7 +46,7 @@ std::size_t widest_line(const fs::path& file) {
   return widest;
 }
 
-/// Link targets, and backticked paths whose first folder exists.
+/// Link targets, and backticked paths whose first folder exists; not out/, which runs of users fill.
 std::set<std::string> named_paths(const std::string& text, const fs::path& folder) {
   std::set<std::string> paths;
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))"),
@@ -55,7 +55,7 @@ std::set<std::string> named_paths(const std::string& text, const fs::path& folde
     paths.insert((*found)[1]);
   std::smatch parts_of_path;
   for (const std::string& word : in_backticks(text))
-    if (std::regex_match(word, parts_of_path, path) &&
+    if (std::regex_match(word, parts_of_path, path) && parts_of_path[2] != "out" &&
         (fs::exists(folder / parts_of_path[2].str()) || fs::exists(top / parts_of_path[2].str())))
       paths.insert(word);
   return paths;
