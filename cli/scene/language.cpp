@@ -162,7 +162,8 @@ constexpr KeyInfo loaded_keys[] = {
      "force per area on the outer face of a layer one spacing deep, such as x > 0.04 - dp; "
      "deeper regions are refused, and each face needs its own entry. "
      "It acts on the particles of the layer in methods that search neighbours, in tl-small-strain, "
-     "and on curved faces cut from a lattice. On a hexagonal lattice the force is up to 7.5 % off"},
+     "and on curved faces cut from a lattice. The force is up to 7.5 % off on a hexagonal lattice, "
+     "and up to 18 % on curved faces cut from a lattice in 3D"},
     {"ramp", types::expression("expression of t"), "1", "factor of the load over time"},
 };
 

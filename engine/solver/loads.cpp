@@ -138,8 +138,7 @@ void Loads<Dim>::spread_by(const std::vector<double>& volume, const Scene& scene
       if (load.kind == Load::Kind::traction) continue;
       double cells = 0, all = 0;
       for (const auto& [id, force] : shares) cells += initial.V0[id], all += volume[id];
-      const double kept = load.kind == Load::Kind::force ? cells / all : 1;
-      for (auto& [id, force] : shares) force = (kept * volume[id] / initial.V0[id]) * force;
+      for (auto& [id, force] : shares) force = (cells / all * volume[id] / initial.V0[id]) * force;
     }
   }
 }

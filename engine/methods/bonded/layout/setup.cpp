@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace taut {
 namespace {
+
+constexpr double round_off = 1e-9;  // a body of one material has the sum of its cells
 
 /// Returns −1 if the bond is not stored.
 int find_bond(const Bonds& bonds, int from, int to) {
@@ -17,11 +20,21 @@ int find_bond(const Bonds& bonds, int from, int to) {
 /// Masses, kg (THEORY.md, Volumes and masses).
 std::vector<double> masses(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds) {
+  struct Part {
+    double cells = 0, corrected = 0;  // m³
+  };
+  std::map<std::pair<int, int>, Part> parts;  // by body and material
+  const auto part_of = [&](int i) -> Part& { return parts[{initial.body[i], initial.material[i]}]; };
+  for (int i = 0; i < initial.size(); ++i)
+    part_of(i).cells += initial.V0[i], part_of(i).corrected += bonds.mass[i];
   std::vector<double> mass;
   mass.reserve(initial.V0.size());
   for (int i = 0; i < initial.size(); ++i) {
     mass.push_back(materials[initial.material[i]].rho0 * initial.V0[i]);
-    if (initial.dim == 3 && !bonds.is_rigid(i)) mass.back() *= bonds.mass[i] / initial.V0[i];
+    if (initial.dim == 2 || bonds.is_rigid(i)) continue;
+    mass.back() *= bonds.mass[i] / initial.V0[i];
+    const auto& [cells, corrected] = part_of(i);
+    if (std::abs(corrected - cells) > round_off * cells) mass.back() *= cells / corrected;
   }
   return mass;
 }

@@ -234,6 +234,20 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("oenog: in 3D each material of a body has its mass, also in a skin of one layer") {
+    Scene scene = block(6, 6, 6);
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].density *= 10;
+    scene.bodies[0].parts = {
+        {.material = 1, .where = [](const Point& X) { return X[2] > 5 * dp ? 1.0 : 0.0; }}};
+    const Snapshot start = make_simulation(scene, with_method("oenog"))->snapshot();
+    double of[2] = {};
+    for (std::size_t i = 0; i < start.size(); ++i) of[start.material[i]] += start.m[i];
+    const double layer = scene.materials[0].density * 36 * dp * dp * dp;
+    CHECK(of[0] == relative(5 * layer, 1e-12));
+    CHECK(of[1] == relative(10 * layer, 1e-12));
+  }
+
   TEST_CASE("oenog: in 3D only particles beside a clamp store bonds of their own") {
     Scene scene = block(12, 12, 12);
     CHECK(make_bonds(scene, make_initial_particles(scene), h_over_dp * dp).rows.empty());
