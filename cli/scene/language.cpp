@@ -160,7 +160,7 @@ constexpr KeyInfo loaded_keys[] = {
      "force per initial volume"},
     {"traction", types::vector("[x, y] of the place", "Pa"), "or force or force_density",
      "force per area on the outer face of a layer one spacing deep, such as x > 0.04 - dp; "
-     "deeper regions are refused, and each face needs its own entry. "
+     "deeper regions are refused, and faces that meet at an edge need one entry each. "
      "It acts on the particles of the layer in methods that search neighbours, in tl-small-strain, "
      "and on curved faces cut from a lattice. The force is up to 7.5 % off on a hexagonal lattice, "
      "and up to 18 % on curved faces cut from a lattice in 3D"},

@@ -10,6 +10,7 @@
 
 #include "engine/core/index.hpp"
 #include "engine/error.hpp"
+#include "engine/layout/layers.hpp"
 #include "engine/layout/overlap.hpp"
 #include "engine/layout/reference_element.hpp"
 #include "engine/layout/surface_mesh.hpp"
@@ -33,7 +34,7 @@ std::vector<std::vector<int>> cells_of_element(const ElementMesh& mesh) {
   return all;
 }
 
-/// Calls f(element, cell) for each cell whose middle is in the region.
+/// Calls f(element, cell, middle) for each cell whose middle is in the region.
 template <class F>
 void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F& f) {
   const std::vector<std::vector<int>> cells = cells_of_element(mesh);
@@ -44,7 +45,7 @@ void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F&
         for (std::size_t k = 0; k < 3; ++k)
           middle[k] += mesh.x[as_index(mesh.node[as_index(mesh.nodes_of_each() * e + a)])][k] /
                        static_cast<double>(cell.size());
-      if (contains(where, middle)) f(e, cell);
+      if (contains(where, middle)) f(e, cell, middle);
     }
 }
 
@@ -98,7 +99,7 @@ class BodyNodes {
       for (std::size_t i = 0; i < in.size(); ++i) in[i] = contains(where, mesh_.x[i]);
       return in;
     }
-    for_each_cell_in(where, mesh_, [&](int e, const std::vector<int>& cell) {
+    for_each_cell_in(where, mesh_, [&](int e, const std::vector<int>& cell, const Point&) {
       for (const int a : cell) in[as_index(mesh_.node[as_index(mesh_.nodes_of_each() * e + a)])] = 1;
     });
     return in;
@@ -223,6 +224,111 @@ std::vector<PointWeight> shapes_at(const ElementMesh& mesh, int element, const P
   return weights;
 }
 
+std::vector<double> loaded_volumes(const Load& load, const Body& body, const InitialParticles& initial,
+                                   int index) {
+  const ElementMesh& mesh = initial.mesh;
+  const int each = mesh.nodes_of_each();
+  // [element][local node] loaded share of the node's cells
+  std::vector<double> share(mesh.node.size()), weight(initial.x.size());
+  std::vector<double> cells(as_index(each));
+  for (const std::vector<int>& cell : cells_of_element(mesh))
+    for (const int a : cell) ++cells[as_index(a)];
+  for_each_cell_in(load.where, mesh, [&](int e, const std::vector<int>& cell, const Point&) {
+    if (mesh.body[as_index(e)] != index) return;
+    for (const int a : cell) share[as_index(each * e + a)] += 1 / cells[as_index(a)];
+  });
+  for (std::size_t k = 0; k < mesh.node.size(); ++k) {
+    const auto node = as_index(mesh.node[k]);
+    const bool counts = initial.body[node] == index && contains(load.where, initial.x[node]);
+    weight[node] += mesh.volume[k] * (body.on_boundary ? double(counts) : share[k]);
+  }
+  return weight;
+}
+
+/// Boundary facet of a loaded cell.
+struct LoadedFacet {
+  MeshFacet facet;
+  Point cell{};          // middle, m
+  int layers = 1;        // of the region, counted from the facet inwards in steps of the spacing
+  bool through = false;  // the region extends to the opposite face
+  double share = 1;      // loaded part of the area
+
+  /// 0: a layer; 1: a part of the body one layer thick; 2: a deeper region; 3: a thicker part of the body
+  int rank() const { return 2 * static_cast<int>(layers > 1) + static_cast<int>(through); }
+  double layers_per_face() const { return through ? std::max(1.0, 0.5 * layers) : layers; }
+};
+
+std::size_t corners_of_facet(const ElementMesh& mesh) { return mesh.dim == 2 ? 2 : 4; }
+
+void count_layers(LoadedFacet& loaded, const Load& load, const Body& body, const ElementMesh& mesh,
+                  double spacing) {
+  Point middle{}, next = loaded.cell;
+  const std::size_t corners = corners_of_facet(mesh);
+  for (std::size_t c = 0; c < corners; ++c)
+    for (std::size_t k = 0; k < 3; ++k)
+      middle[k] += mesh.x[as_index(loaded.facet.node[c])][k] / static_cast<double>(corners);
+  // steps past the end of the region despite round-off
+  const double times = 1.01 * spacing / distance_between(loaded.cell, middle, 3);
+  for (;; ++loaded.layers) {
+    for (std::size_t k = 0; k < 3; ++k) next[k] += times * (loaded.cell[k] - middle[k]);
+    loaded.through = !holds(body, next, mesh.dim, 0);
+    if (loaded.through || !contains(load.where, next)) return;
+  }
+}
+
+std::vector<LoadedFacet> loaded_facets(const Load& load, const Body& body, const ElementMesh& mesh, int index,
+                                       double spacing) {
+  struct Cell {
+    std::vector<int> nodes;
+    Point middle;
+  };
+  std::vector<std::vector<Cell>> cells(as_index(mesh.size()));  // [element] loaded cells
+  for_each_cell_in(load.where, mesh, [&](int e, std::vector<int> nodes, const Point& middle) {
+    if (mesh.body[as_index(e)] != index) return;
+    for (int& a : nodes) a = mesh.node[as_index(mesh.nodes_of_each() * e + a)];
+    cells[as_index(e)].push_back({nodes, middle});
+  });
+  std::vector<LoadedFacet> facets;
+  for (const MeshFacet& facet : boundary_of(mesh))
+    for (const Cell& cell : cells[as_index(facet.element)]) {
+      const auto has = [&](int node) { return std::ranges::count(cell.nodes, node) > 0; };
+      if (!std::ranges::all_of(facet.node, has)) continue;
+      count_layers(facets.emplace_back(LoadedFacet{.facet = facet, .cell = cell.middle}), load, body, mesh,
+                   spacing);
+    }
+  return facets;
+}
+
+/// Keeps the facets of the face, or of two opposite faces, with the most facets of the lowest rank. MeshFacet::side
+/// distinguishes faces that meet at an edge, also on round bodies.
+void choose_face(std::vector<LoadedFacet>& facets, const Load& load, const Body& body) {
+  if (facets.empty()) return;
+  const int rank = std::ranges::min(facets, {}, &LoadedFacet::rank).rank();
+  std::array<int, 6> on_side{};
+  std::array<int, 3> across{};  // [axis]
+  for (const LoadedFacet& f : facets)
+    if (f.rank() == rank) ++on_side[as_index(f.facet.side)], ++across[as_index(f.facet.side / 2)];
+  const int most = std::ranges::max(across);
+  const auto axis = std::ranges::find(across, most) - across.begin();
+  const auto is_chosen = [&](const LoadedFacet& f) {
+    return f.facet.side / 2 == axis && on_side[as_index(f.facet.side)] > 0;
+  };
+  const auto is_of_other_face = [&](const LoadedFacet& f) {
+    return f.rank() == 0 && !is_chosen(f) && std::ranges::none_of(facets, [&](const LoadedFacet& other) {
+             return is_chosen(other) && other.cell == f.cell;
+           });
+  };
+  if (rank == 0 && (std::ranges::count(across, most) > 1 || std::ranges::any_of(facets, is_of_other_face)))
+    refuse_edge(body);
+  std::erase_if(facets, [&](const LoadedFacet& f) { return !is_chosen(f); });
+  double layers = 0;
+  for (LoadedFacet& f : facets) {
+    layers += f.layers_per_face() / static_cast<double>(facets.size());
+    if (rank == 1 && f.rank() == 1) f.share = 0.5;
+  }
+  refuse_deep_traction(load, body, layers);
+}
+
 }  // namespace
 
 InitialParticles make_element_nodes(const Scene& scene) {
@@ -243,51 +349,22 @@ InitialParticles make_element_nodes(const Scene& scene) {
   return layout;
 }
 
-std::vector<double> load_weights(const Load& load, const Body& body, const InitialParticles& initial,
+std::vector<double> load_weights(const Load& load, const Scene& scene, const InitialParticles& initial,
                                  int index) {
   const ElementMesh& mesh = initial.mesh;
+  const Body& body = scene.bodies[as_index(index)];
+  if (load.kind != Load::Kind::traction) return loaded_volumes(load, body, initial, index);
+  std::vector<LoadedFacet> facets = loaded_facets(load, body, mesh, index, scene.spacing);
+  choose_face(facets, load, body);
   std::vector<double> weight(initial.x.size());
-  const int each = mesh.nodes_of_each();
-  // [element][local node] loaded share of the node's cells
-  std::vector<double> share(mesh.node.size());
-  std::vector<std::vector<std::vector<int>>> of_load(as_index(mesh.size()));  // [element] loaded cells
-  std::vector<double> cells(as_index(each));
-  for (const std::vector<int>& cell : cells_of_element(mesh))
-    for (const int a : cell) ++cells[as_index(a)];
-  for_each_cell_in(load.where, mesh, [&](int e, const std::vector<int>& cell) {
-    if (mesh.body[as_index(e)] != index) return;
-    of_load[as_index(e)].push_back(cell);
-    for (const int a : cell) share[as_index(each * e + a)] += 1 / cells[as_index(a)];
-  });
-  if (load.kind != Load::Kind::traction) {
-    for (std::size_t k = 0; k < mesh.node.size(); ++k) {
-      const auto node = as_index(mesh.node[k]);
-      const bool counts = initial.body[node] == index && contains(load.where, initial.x[node]);
-      weight[node] += mesh.volume[k] * (body.on_boundary ? double(counts) : share[k]);
-    }
-    return weight;
-  }
-  std::vector<MeshFacet> facets = boundary_of(mesh);
-  std::erase_if(facets, [&](const MeshFacet& facet) {
-    const auto has_facet = [&](const std::vector<int>& cell) {
-      return std::ranges::all_of(facet.node, [&](int node) {
-        return std::ranges::any_of(
-            cell, [&](int a) { return mesh.node[as_index(each * facet.element + a)] == node; });
-      });
-    };
-    return std::ranges::none_of(of_load[as_index(facet.element)], has_facet);
-  });
-  std::array<int, 6> count{};
-  for (const MeshFacet& facet : facets) ++count[as_index(facet.side)];
-  const int side = static_cast<int>(std::ranges::max_element(count) - count.begin());
-  for (const MeshFacet& facet : facets) {
-    if (facet.side != side) continue;
-    const auto at = [&](std::size_t k) { return mesh.x[as_index(facet.node[k])]; };
-    const std::size_t corners = mesh.dim == 2 ? 2 : 4;
+  for (const LoadedFacet& loaded : facets) {
+    const std::array<int, 4>& node = loaded.facet.node;
+    const auto at = [&](std::size_t k) { return mesh.x[as_index(node[k])]; };
+    const std::size_t corners = corners_of_facet(mesh);
     const double area = mesh.dim == 2 ? distance_between(at(0), at(1), 2)
                                       : distance_between(vector_area({at(0), at(1), at(2), at(3)}), {}, 3);
     for (std::size_t k = 0; k < corners; ++k)
-      weight[as_index(facet.node[k])] += area / static_cast<double>(corners);
+      weight[as_index(node[k])] += loaded.share * area / static_cast<double>(corners);
   }
   return weight;
 }

@@ -12,9 +12,10 @@ namespace taut {
 /// mesh, jitter, empty regions, elements both clamped and driven, and overlapping bodies.
 InitialParticles make_element_nodes(const Scene& scene);
 
-/// Weight of each node in a load: its loaded volume, m^dim; for tractions its share of the face, m^(dim − 1). The face
-/// consists of the loaded boundary facets with the most frequent MeshFacet::side.
-std::vector<double> load_weights(const Load& load, const Body& body, const InitialParticles& initial,
+/// Weight of each node in a load: its loaded volume, m^dim; for tractions its share of the face, m^(dim − 1). A
+/// traction acts on the face, or the two opposite faces, behind which the region is one layer deep. In parts of a body
+/// one layer thick, half of it acts on each side. Throws SceneError for deeper regions and for regions around an edge.
+std::vector<double> load_weights(const Load& load, const Scene& scene, const InitialParticles& initial,
                                  int index);
 
 /// Shape functions at a point, by node. Empty outside all elements.

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/core.h>
+
+#include "engine/error.hpp"
 #include "engine/scene/shapes/round_shapes.hpp"
 #include "engine/scene/shapes/turned.hpp"
 
@@ -114,6 +117,27 @@ double layers_of_region(const Expression& where, const Body& body, const Initial
     faces += most;
   }
   return faces > 0 ? static_cast<double>(id.size()) / faces : std::numeric_limits<double>::infinity();
+}
+
+void refuse_deep_traction(const Load& load, const Body& body, double layers) {
+  constexpr double deep = 1.4;
+  if (layers < deep) return;
+  throw SceneError(
+      fmt::format("body.{}.loaded", body.name),
+      fmt::format("loaded[{}]: the region of a traction on body '{}' {}. "
+                  "A traction acts on the outermost layer of particles or element cells: "
+                  "end its 'where' one spacing below the face, such as x > 0.04 - dp for the face x = 0.04, "
+                  "or give a force_density",
+                  &load - body.loads.data(), body.name,
+                  std::isinf(layers) ? "lies inside the body" : "is more than one layer deep"));
+}
+
+void refuse_edge(const Body& body) {
+  throw SceneError(
+      fmt::format("body.{}.loaded", body.name),
+      fmt::format(
+          "a traction of body '{}' is on two faces that meet at an edge: write one entry of 'loaded' for each face",
+          body.name));
 }
 
 }  // namespace taut

@@ -16,4 +16,10 @@ double layer_thickness(const Body& body, const InitialParticles& initial, const 
 double layers_of_region(const Expression& where, const Body& body, const InitialParticles& initial,
                         const std::vector<int>& id, double thickness);
 
+/// Throws SceneError if the region of a traction is 1.4 layers or more deep.
+void refuse_deep_traction(const Load& load, const Body& body, double layers);
+
+/// Throws SceneError for a traction on two faces that meet at an edge.
+[[noreturn]] void refuse_edge(const Body& body);
+
 }  // namespace taut

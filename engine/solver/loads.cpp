@@ -53,21 +53,6 @@ bool is_of_boxes(const Body& body) {
   return std::ranges::all_of(body.shapes, is_along) && std::ranges::all_of(body.without, is_along);
 }
 
-void refuse_deep_traction(const Load& load, const Body& body, const InitialParticles& initial,
-                          const std::vector<int>& loaded, double thickness) {
-  constexpr double deep = 1.4;
-  const double layers = layers_of_region(load.where, body, initial, loaded, thickness);
-  if (layers < deep) return;
-  throw SceneError(
-      fmt::format("body.{}.loaded", body.name),
-      fmt::format("loaded[{}]: the region of a traction on body '{}' {}. "
-                  "A traction acts on the outermost layer of particles: "
-                  "end its 'where' one spacing below the face, such as x > 0.04 - dp for the face x = 0.04, "
-                  "or give a force_density",
-                  &load - body.loads.data(), body.name,
-                  std::isinf(layers) ? "lies inside the body" : "is more than one layer deep"));
-}
-
 }  // namespace
 
 template <int Dim>
@@ -111,12 +96,7 @@ void Loads<Dim>::act_on_faces(const Scene& scene, const InitialParticles& initia
       std::vector<int> ids;
       for (const auto& [id, force] : shares) ids.push_back(id);
       const FaceLayer layer = face_layer(load, body, initial, std::move(ids), scene.spacing);
-      if (layer.has_edge && is_of_boxes(body))
-        throw SceneError(
-            fmt::format("body.{}.loaded", body.name),
-            fmt::format(
-                "a traction of body '{}' is on two faces that meet at an edge: write one entry of 'loaded' for each face",
-                body.name));
+      if (layer.has_edge && is_of_boxes(body)) refuse_edge(body);
       if (layer.id.empty()) continue;
       shares.clear();
       for (const auto& [id, force] : face_shares(rule, layer, initial, reach, surface, scene.spacing)) {
@@ -152,7 +132,7 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   };
   const bool has_mesh = initial.mesh.order > 0;
   const std::vector<double> of_mesh =
-      has_mesh ? load_weights(load, scene.bodies[body], initial, body) : std::vector<double>{};
+      has_mesh ? load_weights(load, scene, initial, body) : std::vector<double>{};
   const auto weight = [&](int id) { return has_mesh ? of_mesh[id] : initial.V0[id]; };
   const auto is_loaded = [&](int id) {
     return has_mesh ? of_mesh[id] > 0 : load.where(initial.cell(id)) != 0;
@@ -182,7 +162,8 @@ auto Loads<Dim>::shares(const Load& load, const Scene& scene, const InitialParti
   if (load.kind == Load::Kind::force) over = volume;
   if (load.kind == Load::Kind::traction && !has_mesh) {
     over = layer_thickness(scene.bodies[body], initial, loaded, scene.spacing);
-    refuse_deep_traction(load, scene.bodies[body], initial, loaded, over);
+    refuse_deep_traction(load, scene.bodies[body],
+                         layers_of_region(load.where, scene.bodies[body], initial, loaded, over));
   }
   std::vector<std::pair<int, V>> shares;
   for (const int id : loaded) {

@@ -59,6 +59,28 @@ double enclosed(const InitialParticles& nodes) {
   return sum;
 }
 
+/// A traction on the region `where`.
+struct Traction {
+  InitialParticles nodes;
+  std::vector<double> area;  // [node] m^(dim − 1)
+
+  Traction(Scene scene, const Expression& where) {
+    scene.bodies[0].loads = {{.where = where, .kind = Load::Kind::traction, .value = {}, .ramp = {}}};
+    nodes = make_initial_particles(scene);
+    area = load_weights(scene.bodies[0].loads[0], scene, nodes, 0);
+  }
+  double area_in(const Expression& region) const {
+    double sum = 0;
+    for (int i = 0; i < nodes.size(); ++i) sum += region(nodes.x[i]) != 0 ? area[i] : 0;
+    return sum;
+  }
+  double whole() const { return area_in(constant(1)); }
+};
+
+Expression above(int axis, double least) {
+  return [=](const Point& x) { return x[axis] > least ? 1.0 : 0.0; };
+}
+
 struct Case {
   int dim;
   Shape shape;
@@ -173,19 +195,95 @@ TEST_SUITE("unit") {
 
   TEST_CASE("element mesh: a traction acts on one face of its region, a force on the whole region") {
     for (const int order : {1, 2}) {
-      Scene scene = scene_of(3, order, {Box{{0, 0, 0}, {1, 0.4, 0.4}}});
-      const InitialParticles nodes = make_initial_particles(scene);
-      Load load{.where = [](const Point& x) { return x[0] > 0.8 ? 1.0 : 0.0; },
-                .kind = Load::Kind::traction,
-                .value = {},
-                .ramp = {}};
-      const std::vector<double> area = load_weights(load, scene.bodies[0], nodes, 0);
-      CHECK(std::accumulate(area.begin(), area.end(), 0.0) == relative(0.16));
-      for (int i = 0; i < nodes.size(); ++i) CHECK((area[i] > 0) == (nodes.x[i][0] > 0.999));
-      load.kind = Load::Kind::force;
-      const std::vector<double> volume = load_weights(load, scene.bodies[0], nodes, 0);
+      const Scene scene = scene_of(3, order, {Box{{0, 0, 0}, {1, 0.4, 0.4}}});
+      const Traction pull(scene, above(0, 0.9));
+      CHECK(pull.whole() == relative(0.16));
+      for (int i = 0; i < pull.nodes.size(); ++i) CHECK((pull.area[i] > 0) == (pull.nodes.x[i][0] > 0.999));
+      const Load load{.where = above(0, 0.8), .kind = Load::Kind::force, .value = {}, .ramp = {}};
+      const std::vector<double> volume = load_weights(load, scene, pull.nodes, 0);
       CHECK(std::accumulate(volume.begin(), volume.end(), 0.0) == relative(0.2 * 0.16));
     }
+  }
+
+  TEST_CASE("element mesh: a traction on a region at two opposite faces acts on both faces") {
+    for (const int dim : {2, 3})
+      for (const int order : {1, 2}) {
+        CAPTURE(dim);
+        CAPTURE(order);
+        const double face = dim == 2 ? 0.4 : 0.12;
+        const Traction pull(scene_of(dim, order, {Box{{0, 0, 0}, {1, 0.4, 0.3}}}),
+                            [](const Point& x) { return std::abs(x[0] - 0.5) > 0.4 ? 1.0 : 0.0; });
+        CHECK(pull.area_in(above(0, 0.999)) == relative(face));
+        CHECK(pull.area_in([](const Point& x) { return x[0] < 0.001 ? 1.0 : 0.0; }) == relative(face));
+        CHECK(pull.whole() == relative(2 * face));
+      }
+  }
+
+  TEST_CASE("element mesh: a traction at the end of a bar one or two spacings wide acts on the end alone") {
+    for (const int order : {1, 2})
+      for (const double width : {0.1, 0.2})
+        for (const int dim : {2, 3}) {
+          CAPTURE(order);
+          CAPTURE(width);
+          CAPTURE(dim);
+          const int along = dim - 1;
+          const Point end = dim == 2 ? Point{width, 1, 0} : Point{width, 0.3, 1};
+          const Traction pull(scene_of(dim, order, {Box{{}, end}}), above(along, 0.9));
+          CHECK(pull.whole() == relative(dim == 2 ? width : 0.3 * width));
+          CHECK(pull.area_in(above(along, 0.999)) == relative(pull.whole()));
+        }
+  }
+
+  TEST_CASE("element mesh: in a part one spacing thick a traction acts by halves on both sides") {
+    const auto strip = [](const Point& x) { return std::abs(x[0] - 0.5) < 0.2 ? 1.0 : 0.0; };
+    for (const int order : {1, 2}) {
+      CAPTURE(order);
+      const Traction plate(scene_of(2, order, {Box{{0, 0, 0}, {1, 0.1, 0}}}), strip);
+      CHECK(plate.whole() == relative(0.4));
+      CHECK(plate.area_in(above(1, 0.099)) == relative(0.2));
+      const Traction bar(scene_of(3, order, {Box{{0, 0, 0}, {1, 0.1, 0.1}}}), strip);
+      CHECK(bar.whole() == relative(0.04));
+      const Traction thick(scene_of(2, order, {Box{{0, 0, 0}, {1, 0.2, 0}}}), strip);
+      CHECK(thick.whole() == relative(0.8));
+      CHECK(thick.area_in(above(1, 0.199)) == relative(0.4));
+      const Traction ring(scene_of(2, order, {Ring{{}, 0.5, 0.6}}), constant(1));
+      CHECK(ring.whole() == relative(pi * 1.1, 0.01));
+      CHECK(ring.area_in([](const Point& x) { return std::hypot(x[0], x[1]) < 0.501 ? 1.0 : 0.0; }) ==
+            relative(pi * 0.5, 0.01));
+    }
+  }
+
+  TEST_CASE("element mesh: a traction on a round face or the ends of a pipe acts on the whole face alone") {
+    const auto around = [](double low, double high) {
+      return [=](const Point& x) {
+        const double r = std::hypot(x[0], x[1]);
+        return low < r && r < high ? 1.0 : 0.0;
+      };
+    };
+    const auto ends = [](double reach) {
+      return [=](const Point& x) { return std::abs(x[2] - 0.5) > 0.5 - reach ? 1.0 : 0.0; };
+    };
+    struct Face {
+      int dim;
+      Shape shape;
+      Expression region, face;
+      double area;  // exact
+    };
+    const Cylinder pipe{{0, 0, 0}, {0, 0, 1}, 0.5, 0.3};
+    const Face faces[] = {{2, Disc{{}, 0.7}, around(0.6, 1), around(0.699, 1), 2 * pi * 0.7},
+                          {2, Ring{{}, 0.5, 0.8}, around(0.7, 1), around(0.799, 1), 2 * pi * 0.8},
+                          {2, Ring{{}, 0.5, 0.8}, around(0, 0.6), around(0, 0.501), 2 * pi * 0.5},
+                          {3, pipe, around(0.4, 1), around(0.499, 1), 2 * pi * 0.5},
+                          {3, pipe, around(0, 0.4), around(0, 0.301), 2 * pi * 0.3},
+                          {3, pipe, ends(0.1), ends(0.001), 2 * pi * 0.16}};
+    for (const Face& f : faces)
+      for (const int order : {1, 2}) {
+        CAPTURE(f.area);
+        CAPTURE(order);
+        const Traction pull(scene_of(f.dim, order, {f.shape}), f.region);
+        CHECK(pull.whole() == relative(f.area, 0.015));  // facets are flat
+        CHECK(pull.area_in(f.face) == relative(pull.whole()));
+      }
   }
 
   TEST_CASE("element mesh: shape functions reproduce the point at which they are evaluated") {

@@ -414,6 +414,34 @@ TEST_SUITE("unit") {
                          SceneError);
   }
 
+  TEST_CASE("loads: elements refuse a traction on a region deeper than one layer or around an edge") {
+    for (const char* method : {"fe1", "fe2"})
+      for (const int rows : {1, 2, 3, 6}) {
+        CAPTURE(std::string(method));
+        CAPTURE(rows);
+        Body body;
+        body.shapes = {Box{{0, 0, 0}, {length, rows * dp, 0}}};
+        const auto refuses = [&](const Expression& where, const char* reason) {
+          return refusal_of_traction(body, where, 2, method).find(reason) != std::string::npos;
+        };
+        const auto accepts = [&](const Expression& where) {
+          return refusal_of_traction(body, where, 2, method).empty();
+        };
+        const auto end = [](double layers) {
+          return [=](const Point& x) { return x[0] > length - layers * dp ? 1.0 : 0.0; };
+        };
+        const auto sides = [=](const Point& x) { return std::min(x[1], rows * dp - x[1]) < dp ? 1.0 : 0.0; };
+        const char *deep = "is more than one layer deep", *edge = "is on two faces that meet at an edge";
+        CHECK(accepts(end(1)));
+        CHECK(accepts(sides));
+        CHECK(accepts(constant(1)) == (rows < 3));
+        if (rows == 1) continue;  // a deep region at the end is a patch on the sides
+        CHECK(refuses(end(3), deep));
+        CHECK(refuses([&](const Point& x) { return end(1)(x) * sides(x); }, edge) == (rows > 2));
+        CHECK(refuses([&](const Point& x) { return end(1)(x) + sides(x); }, edge) == (rows > 2));
+      }
+  }
+
   TEST_CASE(
       "loads: free particles take the full force if the others are driven to the end, else their share") {
     Scene scene = bar();
