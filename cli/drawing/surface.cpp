@@ -125,23 +125,25 @@ void Surface::triangulate(const Scene& scene, int body, std::span<const int> fir
   }
 }
 
-/// Rejects long edges and edges between nodes that bridge a groove. If all points can lie on faces, also rejects
-/// simplices outside the body.
+/// Rejects long edges of particles, and edges between nodes that bridge a groove. If all points can lie on faces,
+/// also rejects simplices outside the body.
 bool Surface::fits(const Scene& scene, int body, const Simplex& simplex) const {
   constexpr double chord = 0.15;  // tolerance for chords of concave faces, spacings
   const Body& of = scene.bodies[static_cast<std::size_t>(body)];
+  const bool has_elements = scene.element_order > 0;  // whose nodes can be further apart
   Point middle{};
   for (std::size_t a = 0; a <= dim_; ++a) {
     const Point from = initial(simplex[a]);
     for (std::size_t k = 0; k < dim_; ++k) middle[k] += from[k] / static_cast<double>(dim_ + 1);
     for (std::size_t b = 0; b < a; ++b) {
       const Point to = initial(simplex[b]);
-      if (distance_between(from, to, scene.dim) > longest * dp_) return false;
+      if (!has_elements && distance_between(from, to, scene.dim) > longest * dp_) return false;
       const Point half{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (from[2] + to[2])};
-      if (simplex[b] >= particles_ && !holds(of, half, scene.dim, chord * dp_)) return false;
+      if ((has_elements || simplex[b] >= particles_) && !holds(of, half, scene.dim, chord * dp_))
+        return false;
     }
   }
-  const bool on_faces = scene.element_order > 0 || of.on_boundary || simplex[0] >= particles_;
+  const bool on_faces = has_elements || of.on_boundary || simplex[0] >= particles_;
   return !on_faces || holds(of, middle, scene.dim, 0);
 }
 

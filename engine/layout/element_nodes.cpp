@@ -34,9 +34,9 @@ std::vector<std::vector<int>> cells_of_element(const ElementMesh& mesh) {
   return all;
 }
 
-/// Calls f(element, cell, middle) for each cell whose middle is in the region.
+/// Calls f(element, cell, middle) for each cell.
 template <class F>
-void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F& f) {
+void for_each_cell(const ElementMesh& mesh, const F& f) {
   const std::vector<std::vector<int>> cells = cells_of_element(mesh);
   for (int e = 0; e < mesh.size(); ++e)
     for (const std::vector<int>& cell : cells) {
@@ -45,8 +45,16 @@ void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F&
         for (std::size_t k = 0; k < 3; ++k)
           middle[k] += mesh.x[as_index(mesh.node[as_index(mesh.nodes_of_each() * e + a)])][k] /
                        static_cast<double>(cell.size());
-      if (contains(where, middle)) f(e, cell, middle);
+      f(e, cell, middle);
     }
+}
+
+/// Calls f(element, cell, middle) for each cell whose middle is in the region.
+template <class F>
+void for_each_cell_in(const Expression& where, const ElementMesh& mesh, const F& f) {
+  for_each_cell(mesh, [&](int e, const std::vector<int>& cell, const Point& middle) {
+    if (contains(where, middle)) f(e, cell, middle);
+  });
 }
 
 class BodyNodes {
@@ -260,6 +268,16 @@ struct LoadedFacet {
 
 std::size_t corners_of_facet(const ElementMesh& mesh) { return mesh.dim == 2 ? 2 : 4; }
 
+/// Share of a node in the area of its facet, such that a uniform traction on an element face is consistent.
+double share_of_node(const ElementMesh& mesh, const MeshFacet& facet, int node) {
+  const auto first = mesh.node.begin() + mesh.nodes_of_each() * facet.element;
+  auto local = std::find(first, first + mesh.nodes_of_each(), node) - first;
+  double share = 1;
+  for (int axis = 0; axis < mesh.dim; ++axis, local /= mesh.order + 1)
+    if (axis != facet.side / 2) share *= mesh.order == 1 ? 1.0 / 2 : local % 3 == 1 ? 2.0 / 3 : 1.0 / 3;
+  return share;
+}
+
 void count_layers(LoadedFacet& loaded, const Load& load, const Body& body, const ElementMesh& mesh,
                   double spacing) {
   Point middle{}, next = loaded.cell;
@@ -364,9 +382,26 @@ std::vector<double> load_weights(const Load& load, const Scene& scene, const Ini
     const double area = mesh.dim == 2 ? distance_between(at(0), at(1), 2)
                                       : distance_between(vector_area({at(0), at(1), at(2), at(3)}), {}, 3);
     for (std::size_t k = 0; k < corners; ++k)
-      weight[as_index(node[k])] += loaded.share * area / static_cast<double>(corners);
+      weight[as_index(node[k])] += loaded.share * area * share_of_node(mesh, loaded.facet, node[k]);
   }
   return weight;
+}
+
+std::vector<double> shares_in_region(const Expression& where, const InitialParticles& initial,
+                                     const std::vector<unsigned char>& held) {
+  const ElementMesh& mesh = initial.mesh;
+  std::vector<double> inside(initial.x.size()), all(initial.x.size());
+  for_each_cell(mesh, [&](int e, const std::vector<int>& cell, const Point& middle) {
+    const auto node = [&](int a) { return as_index(mesh.node[as_index(mesh.nodes_of_each() * e + a)]); };
+    if (!std::ranges::all_of(cell, [&](int a) { return held[node(a)] != 0; })) return;
+    for (const int a : cell) ++all[node(a)], inside[node(a)] += contains(where, middle);
+  });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i] > 0)
+      inside[i] /= all[i];
+    else
+      inside[i] = held[i] != 0 && contains(where, initial.x[i]);
+  return inside;
 }
 
 std::vector<PointWeight> point_in_element(const InitialParticles& initial, int body, const Point& at) {

@@ -18,6 +18,11 @@ InitialParticles make_element_nodes(const Scene& scene);
 std::vector<double> load_weights(const Load& load, const Scene& scene, const InitialParticles& initial,
                                  int index);
 
+/// Share of each held node in a region: of the cells that are held as a whole, those whose middle is in it; of other
+/// nodes, 1 if the node is in it.
+std::vector<double> shares_in_region(const Expression& where, const InitialParticles& initial,
+                                     const std::vector<unsigned char>& held);
+
 /// Shape functions at a point, by node. Empty outside all elements.
 std::vector<PointWeight> point_in_element(const InitialParticles& initial, int body, const Point& at);
 

@@ -111,10 +111,17 @@ void follow_constrained(ProbeFollower<Dim>& f, const ProbeSetUp& in) {
   const InitialParticles& initial = in.initial;
   const Probe& probe = f.probe;
   const int body = probe.bodies[0];
+  std::vector<unsigned char> held(initial.x.size());
+  for (int id = initial.first[body]; id < initial.first[body + 1]; ++id)
+    held[id] = initial.clamped[id] || initial.drive[id] >= 0 ||
+               (!initial.guided.empty() && (initial.guided[id] >> probe.axis & 1));
+  const bool by_cell = probe.where && initial.mesh.order > 0;
+  const std::vector<double> share =
+      by_cell ? shares_in_region(probe.where, initial, held) : std::vector<double>{};
   for (int id = initial.first[body]; id < initial.first[body + 1]; ++id) {
-    const bool guided = !initial.guided.empty() && (initial.guided[id] >> probe.axis & 1);
-    if (!initial.clamped[id] && initial.drive[id] < 0 && !guided) continue;
-    if (!probe.where || probe.where(initial.cell(id)) != 0) f.at.push_back({id, 1});
+    if (!held[id]) continue;
+    const double weight = by_cell ? share[id] : !probe.where || probe.where(initial.cell(id)) != 0;
+    if (weight > 0) f.at.push_back({id, weight});
   }
   if (f.at.empty())
     refuse(probe, fmt::format("has no reaction: no particle of its {} is held or driven along its component",
@@ -298,7 +305,7 @@ double stress(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 template <int Dim>
 double reaction(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   double sum = 0;
-  for (const PointWeight& w : f.at) sum += now.source.reaction(now.where[w.particle])[f.probe.axis];
+  for (const PointWeight& w : f.at) sum += w.weight * now.source.reaction(now.where[w.particle])[f.probe.axis];
   return sum;
 }
 

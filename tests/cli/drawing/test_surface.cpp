@@ -176,6 +176,22 @@ TEST_SUITE("unit") {
           Approx(determinant(3) * 4 / 3 * std::numbers::pi * std::pow(0.06, 3)).epsilon(0.05));
   }
 
+  TEST_CASE("a surface of elements fills a ball and a cylinder, whose nodes can be far apart") {
+    const double R = 0.06, exact = determinant(3) * std::numbers::pi * R * R;
+    for (const int order : {1, 2}) {
+      CAPTURE(order);
+      Scene ball = scene_of({Disc{{0, 0, 0}, R}}, 3),
+            rod = scene_of({Cylinder{{0, 0, 0}, {0, 0, 0.08}, R}}, 3);
+      ball.element_order = rod.element_order = order;
+      const Covered round(ball), straight(rod);
+      const SurfaceShape skin = round.at(round.mapped(stretch)), hull = straight.at(straight.mapped(stretch));
+      CHECK(measure(skin, 3) == Approx(exact * 4 / 3 * R).epsilon(0.05));
+      CHECK(measure(hull, 3) == Approx(exact * 0.08).epsilon(0.05));
+      CHECK(skin.loose.empty());
+      CHECK(hull.loose.empty());
+    }
+  }
+
   TEST_CASE("values at faces continue a linear field, within the range of the particles") {
     const Covered body(scene_of({Box{{0, 0, 0}, {0.1, 0.06, 0}}}));
     const Numbers x = body.mapped({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});

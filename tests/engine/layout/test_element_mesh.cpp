@@ -205,6 +205,23 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE(
+      "element mesh: a traction on a face gives nodes of order 2 the weights 1/6, 2/3, 1/6 of each element") {
+    const Traction edge(scene_of(2, 2, {Box{{0, 0, 0}, {1, 0.4, 0}}}), above(0, 0.9));
+    const Traction face(scene_of(3, 2, {Box{{0, 0, 0}, {1, 0.4, 0.4}}}), above(0, 0.9));
+    const auto along = [](double x) {  // m; elements of 0.2 m
+      const long k = std::lround(x / 0.1);
+      return k % 2 == 1 ? 0.2 * 2 / 3 : k == 0 || k == 4 ? 0.2 / 6 : 0.2 / 3;
+    };
+    for (int i = 0; i < edge.nodes.size(); ++i)
+      if (edge.area[i] > 0) CHECK(edge.area[i] == relative(along(edge.nodes.x[i][1])));
+    for (int i = 0; i < face.nodes.size(); ++i)
+      if (face.area[i] > 0)
+        CHECK(face.area[i] == relative(along(face.nodes.x[i][1]) * along(face.nodes.x[i][2])));
+    CHECK(edge.whole() == relative(0.4));
+    CHECK(face.whole() == relative(0.16));
+  }
+
   TEST_CASE("element mesh: a traction on a region at two opposite faces acts on both faces") {
     for (const int dim : {2, 3})
       for (const int order : {1, 2}) {

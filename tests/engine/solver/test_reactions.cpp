@@ -180,6 +180,29 @@ TEST_SUITE("conservation") {
     CHECK_THROWS_AS(make_simulation(scene, with_method("oenog")), SceneError);
   }
 
+  TEST_CASE(
+      "reaction: of elements, the region of a clamp has its whole reaction, and two halves add up to it") {
+    for (const int dim : {2, 3}) {
+      Scene scene = hanging(dim);
+      const Probe whole = component(Probe::Kind::reaction, {0}, 1);
+      scene.probes = {whole, whole, whole, whole};
+      scene.probes[1].where = scene.bodies[0].clamped;
+      scene.probes[2].where = [](const Point& x) { return x[0] < 0 ? 1.0 : 0.0; };
+      scene.probes[3].where = [](const Point& x) { return x[0] > 0 ? 1.0 : 0.0; };
+      for (const char* method : {"fe1", "fe2"}) {
+        CAPTURE(dim);
+        CAPTURE(method);
+        const auto simulation = make_simulation(scene, with_method(method));
+        make_steps(*simulation, 20);
+        const auto& value = simulation->series().value;
+        CHECK(value[0].back() > 0.2 * mass_of(simulation->snapshot(), 0) * g);
+        CHECK(value[1].back() == relative(value[0].back(), 1e-9));
+        CHECK(value[2].back() == relative(0.5 * value[0].back(), 1e-6));
+        CHECK(value[2].back() + value[3].back() == relative(value[0].back(), 1e-9));
+      }
+    }
+  }
+
   TEST_CASE("contact_force: contact forces equal the momentum changes of two bodies") {
     using Law = ContactLaw;
     const std::vector<std::pair<std::string, Law>> runs = {
