@@ -149,8 +149,7 @@ std::vector<Change> changes_in(const std::string& beside) {
 }
 
 std::vector<Block> make_blocks(const Drawing& first, const CompareArguments& options, const SceneFile& file) {
-  const auto typed = options.typed.find("view");
-  const bool chosen = typed != options.typed.end() && typed->second;
+  const bool chosen = options.contains("view");
   std::vector<Block> blocks{{first, is_bounded(first, chosen)}};
   for (const std::string& beside : options.beside) {
     Block block{first};
