@@ -54,6 +54,7 @@ class Staging {
     std::optional<Surface> surface{};
   };
 
+  void find_in_view();
   void find_cells();
   const Surface& surface() const;
   StagedParticles with_surface(StagedParticles staged) const;
@@ -63,6 +64,7 @@ class Staging {
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;
+  std::vector<std::size_t> in_view_;  // indices into `shown_`; determine an automatic view
   std::optional<Cells> cells_;
   std::shared_ptr<LazySurface> surface_;
   bool draws_surface_, has_categories_;

@@ -83,6 +83,26 @@ TEST_SUITE("unit") {
     CHECK(Staging(drawing, origins)(frame(moved, origins, {1, 2, 3, 4})).x == Numbers{-7, -3.5, -6, -3.5});
   }
 
+  TEST_CASE("if the followed body is hidden or cut, the automatic view contains the shown particles") {
+    const Origins origins = two_pairs();
+    Drawing drawing;
+    drawing.followed = 1;
+    drawing.cut = "y > 2";
+    for (const bool cut : {false, true}) {
+      if (cut)
+        drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
+      else
+        drawing.hidden = {1};
+      const Staging staging(drawing, origins);
+      SequenceBounds bounds;
+      staging.extend(bounds, staging(frame(moved, origins, {1, 2, 3, 4})));
+      const render::View view = *fitted(drawing, bounds).look.view;
+      CHECK(view.x_max == Approx(1.5 * 7.5));
+      CHECK(view.y_min == Approx(-1.5 * 4));
+      drawing.hidden.clear();
+    }
+  }
+
   TEST_CASE("in style cells, particles are drawn as deformed cells, with their values") {
     Drawing drawing;
     drawing.style = Style::cells;
