@@ -118,8 +118,8 @@ const Surface& Staging::surface() const {
 
 StagedParticles Staging::with_surface(StagedParticles staged) const {
   SurfaceShape shape = surface().at(staged.x, staged.value, has_categories_);
-  if (outline_ == Outlines::deformed || outline_ == Outlines::both) staged.outline = std::move(shape.outline);
-  if (outline_ == Outlines::undeformed || outline_ == Outlines::both) {
+  if (draws(Outlines::deformed)) staged.outline = std::move(shape.outline);
+  if (draws(Outlines::undeformed)) {
     staged.undeformed = surface().undeformed();
     for (std::size_t k = 0; k < staged.undeformed.size(); ++k) staged.undeformed[k] -= staged.origin[k % 2];
   }
@@ -154,13 +154,16 @@ StagedParticles Staging::completed(StagedParticles staged) const {
 }
 
 void Staging::extend(SequenceBounds& bounds, const StagedParticles& staged) const {
-  if (!followed_) return bounds.add(staged.view());
+  const bool undeformed = draws(Outlines::undeformed);
+  if (!followed_ && !undeformed) return bounds.add(staged.view());
   bounds.add_values(staged.value);
   std::vector<double> x;
   double diameter = 0;
   for (const std::size_t k : in_view_) {
     const Point at = point(staged.x, staged.dim, k);
     x.insert(x.end(), at.begin(), at.begin() + staged.dim);
+    const Point initial = point(origins_.x0, staged.dim, shown_[k]);
+    if (undeformed) x.insert(x.end(), {initial[0] - staged.origin[0], initial[1] - staged.origin[1]});
     diameter = std::max(diameter, staged.diameter[k]);
   }
   bounds.add_positions(x, staged.dim, diameter);

@@ -43,7 +43,7 @@ class Staging {
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and outlines; applies styles `cells` and `surface`.
   StagedParticles completed(StagedParticles staged) const;
-  /// Adds the values, and the positions for an automatic view.
+  /// Adds the values, and the positions for an automatic view. Adds initial positions if they are outlined.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
@@ -57,6 +57,7 @@ class Staging {
   void find_in_view();
   void find_cells();
   const Surface& surface() const;
+  bool draws(Outlines outline) const { return outline_ == outline || outline_ == Outlines::both; }
   StagedParticles with_surface(StagedParticles staged) const;
   Point middle(const FrameView& particles) const;
 
