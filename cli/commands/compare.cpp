@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <ostream>
-#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -149,8 +148,7 @@ std::vector<Change> changes_in(const std::string& beside) {
 }
 
 std::vector<Block> make_blocks(const Drawing& first, const CompareArguments& options, const SceneFile& file) {
-  const auto typed = options.typed.find("view");
-  const bool chosen = typed != options.typed.end() && typed->second;
+  const bool chosen = options.contains("view");
   std::vector<Block> blocks{{first, is_bounded(first, chosen)}};
   for (const std::string& beside : options.beside) {
     Block block{first};
@@ -177,13 +175,13 @@ Drawing fitted_to(const Drawing& drawing, bool bounded, const std::vector<SavedR
   return result;
 }
 
-/// Updates the greatest share of each run's particles outside `view`.
+/// Updates the greatest share of each run's shown particles outside `view`.
 void add_shares_outside(std::vector<double>& most, const render::View& view,
                         const std::vector<Column>& columns) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     for (const PanelCell& cell : columns[k].cells) {
       if (!cell.particles) continue;
-      const std::span<const double> x = cell.particles->view().x;
+      const std::vector<double> x = columns[k].staging(cell.particles->view()).x;
       double outside = 0;
       for (std::size_t i = 0; i < x.size(); i += 2)
         outside += x[i] < view.x_min || x[i] > view.x_max || x[i + 1] < view.y_min || x[i + 1] > view.y_max;

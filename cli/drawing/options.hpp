@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/drawing/drawing.hpp"
 #include "cli/drawing/keys.hpp"
@@ -18,10 +19,12 @@ struct DrawingOptions {
   DrawingValues values;  // of a suite file; `typed` has priority
 
   bool any() const;
+  bool contains(std::string_view key) const;
 };
 
 void declare_drawing_options(Options& command, DrawingOptions& options);
 
+/// If the followed body changes, the view becomes automatic unless `options` contain a view.
 Drawing with_options(Drawing drawing, const DrawingOptions& options);
 
 }  // namespace taut::cli

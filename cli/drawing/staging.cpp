@@ -49,8 +49,18 @@ Staging::Staging(const Drawing& drawing, Origins origins)
   if (shown_.empty() && origins_.size() > 0)
     throw UsageError("cut = \"" + drawing.cut +
                      "\" hides all particles of the shown bodies; hide fewer, or reverse the expression");
+  find_in_view();
   if (drawing.style == Style::cells) find_cells();
   if (drawing.scene) surface_.reset(new LazySurface{drawing.scene, drawing.is_cut});
+}
+
+/// Takes all shown particles if the followed body is hidden.
+void Staging::find_in_view() {
+  for (std::size_t k = 0; k < shown_.size(); ++k)
+    if (!followed_ || origins_.body[shown_[k]] == *followed_) in_view_.push_back(k);
+  if (!in_view_.empty()) return;
+  in_view_.resize(shown_.size());
+  std::iota(in_view_.begin(), in_view_.end(), std::size_t{0});
 }
 
 void Staging::find_cells() {
@@ -108,8 +118,8 @@ const Surface& Staging::surface() const {
 
 StagedParticles Staging::with_surface(StagedParticles staged) const {
   SurfaceShape shape = surface().at(staged.x, staged.value, has_categories_);
-  if (outline_ == Outlines::deformed || outline_ == Outlines::both) staged.outline = std::move(shape.outline);
-  if (outline_ == Outlines::undeformed || outline_ == Outlines::both) {
+  if (draws(Outlines::deformed)) staged.outline = std::move(shape.outline);
+  if (draws(Outlines::undeformed)) {
     staged.undeformed = surface().undeformed();
     for (std::size_t k = 0; k < staged.undeformed.size(); ++k) staged.undeformed[k] -= staged.origin[k % 2];
   }
@@ -144,18 +154,19 @@ StagedParticles Staging::completed(StagedParticles staged) const {
 }
 
 void Staging::extend(SequenceBounds& bounds, const StagedParticles& staged) const {
-  FrameView view = staged.view();
-  if (!followed_) return bounds.add(view);
-  bounds.add_values(view.value);
+  const bool undeformed = draws(Outlines::undeformed);
+  if (!followed_ && !undeformed) return bounds.add(staged.view());
+  bounds.add_values(staged.value);
   std::vector<double> x;
   double diameter = 0;
-  for (std::size_t k = 0; k < shown_.size(); ++k) {
-    if (origins_.body[shown_[k]] != *followed_) continue;
-    const Point at = point(view.x, view.dim, k);
-    x.insert(x.end(), at.begin(), at.begin() + view.dim);
-    diameter = std::max(diameter, view.diameter[k]);
+  for (const std::size_t k : in_view_) {
+    const Point at = point(staged.x, staged.dim, k);
+    x.insert(x.end(), at.begin(), at.begin() + staged.dim);
+    const Point initial = point(origins_.x0, staged.dim, shown_[k]);
+    if (undeformed) x.insert(x.end(), {initial[0] - staged.origin[0], initial[1] - staged.origin[1]});
+    diameter = std::max(diameter, staged.diameter[k]);
   }
-  bounds.add_positions(x, view.dim, diameter);
+  bounds.add_positions(x, staged.dim, diameter);
 }
 
 }  // namespace taut::cli

@@ -43,7 +43,7 @@ class Staging {
   StagedParticles operator()(const FrameView& particles) const;
   /// Adds walls and outlines; applies styles `cells` and `surface`.
   StagedParticles completed(StagedParticles staged) const;
-  /// Adds the values, and the positions for an automatic view.
+  /// Adds the values, and the positions for an automatic view. Adds initial positions if they are outlined.
   void extend(SequenceBounds& bounds, const StagedParticles& staged) const;
 
  private:
@@ -54,8 +54,10 @@ class Staging {
     std::optional<Surface> surface{};
   };
 
+  void find_in_view();
   void find_cells();
   const Surface& surface() const;
+  bool draws(Outlines outline) const { return outline_ == outline || outline_ == Outlines::both; }
   StagedParticles with_surface(StagedParticles staged) const;
   Point middle(const FrameView& particles) const;
 
@@ -63,6 +65,7 @@ class Staging {
   std::vector<WallFace> walls_;
   std::optional<int> followed_;
   std::vector<std::size_t> shown_;
+  std::vector<std::size_t> in_view_;  // indices into `shown_`; determine an automatic view
   std::optional<Cells> cells_;
   std::shared_ptr<LazySurface> surface_;
   bool draws_surface_, has_categories_;

@@ -117,9 +117,11 @@ std::vector<std::string> Session::names_to_change() const {
 void Session::set_look(const DrawingKey& key, const std::string& text) {
   Drawing drawing = drawing_;
   set_typed(drawing, key, text);
+  const bool other_origin = drawing.follow != drawing_.follow;
+  if (other_origin) drawing.look.view.reset();  // it is relative to the followed body
   apply_scene(drawing, file_);
   fitted(drawing, shown());  // throws if a cut leaves nothing
-  if (key.name == "view" || drawing.look.camera != drawing_.look.camera) window_.reset();
+  if (key.name == "view" || other_origin || drawing.look.camera != drawing_.look.camera) window_.reset();
   drawing_ = std::move(drawing);
 }
 

@@ -55,6 +55,9 @@ TEST_SUITE("cli") {
     CHECK(panel("-0.01", {"--view", "auto"}).empty());
     CHECK(render::read_png(folder / "panel.png").width != cut.width);
     CHECK(panel("-0.03").empty());
+    CHECK(panel("-0.01", {"--hide", "left"}).empty());
+    CHECK(panel("-0.01", {"--cut", "x < 0"}).empty());
+    CHECK(contains(panel("-0.01", {"--hide", "right"}), told));
     const std::string twice = panel("-0.01", {"--beside", "color=pressure"});
     CHECK(contains(twice, told));
     CHECK(twice.find(told) == twice.rfind(told));

@@ -81,4 +81,25 @@ TEST_SUITE("cli") {
     CHECK(pixels_of(drawn({"--hide", "left"}), 0) == 0);
     CHECK(pixels_of(drawn({"--hide", "left"}), 1) > 100);
   }
+
+  TEST_CASE("run and render with --follow show the body in full, or the view given with it") {
+    const TemporaryFolder folder;
+    REQUIRE(call(tiny_run(folder, "out", {"--until", "1e-4", "--save-particles", "--no-render"})).code == 0);
+    REQUIRE(call(tiny_run(folder, "followed", {"--until", "1e-4", "--follow", "left"})).code == 0);
+    const auto drawn = [&](const Words& more) {
+      Words words{"render", folder.str("out"), "--quiet", "--out", folder.str("frames")};
+      words.insert(words.end(), more.begin(), more.end());
+      const Outcome outcome = call(words);
+      REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+      return text_of(folder / "frames/frame_00000.png");
+    };
+    const std::string followed = drawn({"--follow", "left"});
+    CHECK(followed == drawn({"--follow", "left", "--view", "auto"}));
+    CHECK(followed == text_of(folder / "followed/frames/frame_00000.png"));
+    CHECK(contains(text_of(folder / "followed/scene.toml"), "view = \"auto\""));
+    const std::string view = "-0.01:0.03:-0.02:0.02";
+    const std::string chosen = drawn({"--follow", "left", "--view", view});
+    CHECK(chosen != followed);
+    CHECK(chosen == drawn({"--view", view, "--follow", "left"}));
+  }
 }

@@ -329,6 +329,28 @@ TEST_SUITE("unit") {
     const Drawing chosen = fitted(other_drawing(), shown);
     for (const DrawingKey& key : drawing_keys()) CHECK(key.get(chosen) == key.get(other_drawing()));
   }
+
+  TEST_CASE("keys of drawing: following another body resets the scene's view, and keeps a given view") {
+    const render::View of_scene{0, 1, 2, 3}, given{-1, 1, -2, 2};
+    const auto view_with = [&](const std::string& followed, DrawingOptions options) {
+      Drawing drawing{.follow = followed};
+      drawing.look.view = of_scene;
+      return with_options(drawing, options).look.view;
+    };
+    CHECK_FALSE(view_with("", typed("follow", "ball")));
+    CHECK_FALSE(view_with("ring", typed("follow", "ball")));
+    CHECK_FALSE(view_with("ball", typed("follow", "none")));
+    CHECK(view_with("ball", typed("follow", "ball")) == of_scene);
+    CHECK(view_with("", typed("follow", "none")) == of_scene);
+    DrawingOptions both = typed("follow", "ball");
+    both.typed["view"] = "-1:1:-2:2";
+    CHECK(view_with("", both) == given);
+    DrawingOptions suite;
+    suite.values = {{"follow", "ball"}};
+    CHECK_FALSE(view_with("", suite));
+    suite.values["view"] = std::vector<double>{-1, 1, -2, 2};
+    CHECK(view_with("", suite) == given);
+  }
 }
 
 TEST_SUITE("cli") {

@@ -194,15 +194,17 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     REQUIRE(run(folder, "a").code == 0);
     const auto frame = [&](const std::string& name) { return "frame " + folder.str(name + ".png") + "\n"; };
-    const std::string answers =
-        session(folder, frame("start") + "orbit 30 10\n" + frame("turned") + "camera auto\nup auto\n" +
-                            frame("back") + "view zoom 2\n" + frame("near") + "view fit\n" + frame("fit") +
-                            "cut y < 0\n" + frame("cut") + "cut none\n" + frame("whole") +
-                            "cut x < 9\nview 0 1 0 1\nstyle discs\ninfo\n");
+    const std::string answers = session(
+        folder, frame("start") + "orbit 30 10\n" + frame("turned") + "camera auto\nup auto\n" +
+                    frame("back") + "view zoom 2\n" + frame("near") + "view fit\n" + frame("fit") +
+                    "cut y < 0\n" + frame("cut") + "cut none\n" + frame("whole") +
+                    "view zoom 2\nfollow left\n" + frame("followed") + "view fit\n" + frame("followed_fit") +
+                    "follow none\n" + "cut x < 9\nview 0 1 0 1\nstyle discs\ninfo\n");
     const auto picture = [&](const std::string& name) { return text_of(folder / (name + ".png")); };
     for (const char* same : {"back", "fit", "whole"}) CHECK_MESSAGE(picture(same) == picture("start"), same);
     for (const char* other : {"turned", "near", "cut"})
       CHECK_MESSAGE(picture(other) != picture("start"), other);
+    CHECK(picture("followed") == picture("followed_fit"));
     CHECK(contains(answers, "error: cut = \"x < 9\" hides all particles"));
     CHECK(contains(answers, "error: view needs dim = 2"));
     CHECK(contains(answers, "error: style = \"discs\" needs dim = 2"));

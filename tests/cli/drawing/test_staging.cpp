@@ -83,6 +83,47 @@ TEST_SUITE("unit") {
     CHECK(Staging(drawing, origins)(frame(moved, origins, {1, 2, 3, 4})).x == Numbers{-7, -3.5, -6, -3.5});
   }
 
+  TEST_CASE("the automatic view contains the undeformed outline of the particles that determine it") {
+    const Origins origins = two_pairs();
+    const auto view = [&](Drawing drawing) {
+      const Staging staging(drawing, origins);
+      SequenceBounds bounds;
+      staging.extend(bounds, staging(frame(moved, origins, {1, 2, 3, 4})));
+      return *fitted(drawing, bounds).look.view;
+    };
+    for (const Outlines outline :
+         {Outlines::none, Outlines::deformed, Outlines::undeformed, Outlines::both}) {
+      CAPTURE(static_cast<int>(outline));
+      const bool undeformed = outline == Outlines::undeformed || outline == Outlines::both;
+      const render::View all = view({.outline = outline});
+      CHECK(all.y_min == Approx((undeformed ? -0.5 : 0.5) - 0.05 * 9));
+      CHECK(all.y_max == Approx(5.5 + 0.05 * 9));
+      CHECK(view({.outline = outline, .hidden = {0}}).x_min ==
+            Approx(undeformed ? -0.5 - 0.05 * 9 : 3.5 - 0.05 * 5));
+      CHECK(view({.outline = outline, .followed = 1}).x_max == Approx(1.5 * (undeformed ? 7.5 : 3.5)));
+    }
+  }
+
+  TEST_CASE("if the followed body is hidden or cut, the automatic view contains the shown particles") {
+    const Origins origins = two_pairs();
+    Drawing drawing;
+    drawing.followed = 1;
+    drawing.cut = "y > 2";
+    for (const bool cut : {false, true}) {
+      if (cut)
+        drawing.is_cut = [](const Point& x) { return static_cast<double>(x[1] > 2); };
+      else
+        drawing.hidden = {1};
+      const Staging staging(drawing, origins);
+      SequenceBounds bounds;
+      staging.extend(bounds, staging(frame(moved, origins, {1, 2, 3, 4})));
+      const render::View view = *fitted(drawing, bounds).look.view;
+      CHECK(view.x_max == Approx(1.5 * 7.5));
+      CHECK(view.y_min == Approx(-1.5 * 4));
+      drawing.hidden.clear();
+    }
+  }
+
   TEST_CASE("in style cells, particles are drawn as deformed cells, with their values") {
     Drawing drawing;
     drawing.style = Style::cells;

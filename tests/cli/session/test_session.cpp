@@ -74,6 +74,22 @@ TEST_SUITE("cli") {
     CHECK(text_of(folder / "a.png") != text_of(folder / "d.png"));
   }
 
+  TEST_CASE("a session that follows another body shows it in full, and keeps a later view") {
+    const TemporaryFolder folder;
+    const auto drawn = [&](const std::string& script) {
+      const Outcome outcome = session(folder, script + "\nframe " + folder.str("f.png"), {"--strict"});
+      REQUIRE_MESSAGE(outcome.code == 0, outcome.out);
+      return text_of(folder / "f.png");
+    };
+    const std::string fit = drawn("follow left\nview fit"), view = "\nview -0.03 0.01 -0.02 0.02";
+    CHECK(drawn("follow left") == fit);
+    CHECK(drawn("view pan 0.01 0\nfollow left") == fit);
+    CHECK(drawn("follow left\nfollow none") == drawn("view fit"));
+    const std::string chosen = drawn("follow left" + view);
+    CHECK(chosen != fit);
+    CHECK(drawn("follow left" + view + "\nfollow left") == chosen);
+  }
+
   TEST_CASE("a session continues from a saved state with the same results") {
     const TemporaryFolder folder;
     const std::string file = folder.str("state.bin");
