@@ -305,7 +305,8 @@ double stress(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
 template <int Dim>
 double reaction(ProbeFollower<Dim>& f, const ProbeStep<Dim>& now) {
   double sum = 0;
-  for (const PointWeight& w : f.at) sum += w.weight * now.source.reaction(now.where[w.particle])[f.probe.axis];
+  for (const PointWeight& w : f.at)
+    sum += w.weight * now.source.reaction(now.where[w.particle])[f.probe.axis];
   return sum;
 }
 
