@@ -150,6 +150,32 @@ TEST_SUITE("image") {
     }
   }
 
+  TEST_CASE("a sphere in the middle of a picture covers as many pixels left as right, and above as below") {
+    Bodies one;
+    one.add({0, 0, 0}, 1.3, 0.75);
+    const Image image = drawn(one, bare(along_y));
+    for (int row = 0; row < 200; ++row)
+      for (int column = 0; column < 200; ++column) {
+        const bool covered = image.at(column, row) != white;
+        REQUIRE(covered == (image.at(199 - column, row) != white));
+        REQUIRE(covered == (image.at(column, 199 - row) != white));
+      }
+  }
+
+  TEST_CASE("a renderer draws later frames in 3D as a new renderer does, also smaller ones") {
+    const Bodies many = lattice(8), few = lattice(5);
+    Bodies cells;
+    cells.add({0, 0, 0}, 0.5, 0.3), cells.add({0.4, 0, 0.2}, 0.3, 0.9);
+    for (const double edge : {0.5, 0.3}) cells.add_cell({edge, 0, 0}, {0, edge, 0}, {0, 0, edge});
+    const Look with = bare(Camera{});
+    Renderer renderer(with);
+    renderer.draw(many.frame());
+    CHECK(renderer.draw(few.frame()) == drawn(few, with));
+    CHECK(renderer.draw(cells.frame()) == drawn(cells, with));
+    CHECK(renderer.draw(cells.frame()) == drawn(cells, with));
+    CHECK(renderer.draw(many.frame()) == drawn(many, with));
+  }
+
   TEST_CASE("a box of cells is a closed surface") {
     // outer layer of 12³ sheared cells
     Bodies box;

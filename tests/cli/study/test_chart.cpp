@@ -240,6 +240,7 @@ TEST_SUITE("cli") {
     const std::string script = text_of(folder / "c.gp");
     CHECK(contains(script, "set xlabel 'time to solve, s'"));
     CHECK(contains(script, "set ylabel 'error of the bend, % of the reference'"));
+    CHECK(contains(script, ":2867.2]\nset yrange ["));  // 1.4 times the greatest cost
     CHECK(contains(script, "'×') with labels offset"));
     CHECK(contains(script, "set label 'og' at graph 1.01"));
     CHECK_FALSE(contains(script, "set label 'tl' at graph 1.01"));

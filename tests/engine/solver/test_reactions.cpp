@@ -181,7 +181,7 @@ TEST_SUITE("conservation") {
   }
 
   TEST_CASE(
-      "reaction: of elements, the region of a clamp has its whole reaction, and two halves add up to it") {
+      "reaction: the region of a clamp of elements has its whole reaction, and two halves add up to it") {
     for (const int dim : {2, 3}) {
       Scene scene = hanging(dim);
       const Probe whole = component(Probe::Kind::reaction, {0}, 1);
