@@ -180,10 +180,11 @@ TestReport claims_report(const std::vector<ClaimOutcome>& outcomes) {
   TestReport report{"claims", "papers", {}};
   for (const ClaimOutcome& outcome : outcomes) {
     const Result result = outcome.agrees() ? Result::passed : outcome.state ? Result::failed : Result::error;
+    const std::string values = outcome.values.empty() ? "" : fmt::format(" ({})", shown_values(outcome));
     report.cases.push_back(
         {outcome.claim->name(), result,
-         fmt::format("{}: recorded state '{}', state found here: {} ({})", outcome.claim->name(),
-                     name(outcome.claim->state), found(outcome), shown_values(outcome))});
+         fmt::format("{}: recorded state '{}', state found here: {}{}", outcome.claim->name(),
+                     name(outcome.claim->state), found(outcome), values)});
   }
   return report;
 }

@@ -252,6 +252,13 @@ SceneFile scene_to_run(const RunOptions& options) {
   return file;
 }
 
+SceneFile scene_to_run(const RunOptions& options, const SceneFile& file) {
+  check_methods(options.settings);
+  SceneFile changed = with_settings(file, options.settings);
+  changed.settings.threads = options.threads;
+  return changed;
+}
+
 void print_remark(const SceneFile& file, std::ostream& err) {
   if (!file.remark.empty()) err << "taut: " << file.remark << '\n';
 }

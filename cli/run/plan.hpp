@@ -42,6 +42,8 @@ void declare_particle_options(Options& command, RunOptions& options);
 void check_threads(int threads, std::string_view option = "--threads");
 /// Throws UsageError and SceneError.
 SceneFile scene_to_run(const RunOptions& options);
+/// Applies the options to the text in `file`, without reading its path again.
+SceneFile scene_to_run(const RunOptions& options, const SceneFile& file);
 
 void print_remark(const SceneFile& file, std::ostream& err);
 

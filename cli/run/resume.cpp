@@ -16,11 +16,12 @@ namespace fs = std::filesystem;
 namespace taut::cli {
 namespace {
 
-std::optional<double> later_end(const RunOptions& given, const std::optional<StoredRecord>& record) {
+std::optional<double> later_end(const RunOptions& given, const RunFolder& folder,
+                                const StoredRecord& record) {
   const auto until = std::ranges::find(given.settings, "until", &Setting::name);
-  if (until == given.settings.end() || !record) return std::nullopt;
-  const auto time = parsed<double>(until->value);
-  return time && std::isfinite(*time) && *time > record->until ? time : std::nullopt;
+  if (until == given.settings.end()) return std::nullopt;
+  const double time = read_scene(folder.scene(), {*until}).scene.until;
+  return time > record.until ? std::optional(time) : std::nullopt;
 }
 
 void check_something_is_left(const RunFolder& folder, const std::optional<StoredRecord>& record,
@@ -30,10 +31,11 @@ void check_something_is_left(const RunFolder& folder, const std::optional<Stored
   if (!fs::is_regular_file(folder.scene(), error) || !record)
     throw UsageError(name + " is not a run folder; name a folder that `taut run` has written");
   const bool has_checkpoint = fs::exists(folder.checkpoint(), error);
-  if (record->status == RunRecord::Status::finished && !(has_checkpoint && later_end(given, record)))
+  const bool has_later_end = later_end(given, folder, *record).has_value();
+  if (record->status == RunRecord::Status::finished && !(has_checkpoint && has_later_end))
     throw UsageError(fmt::format("the run in {} is finished: {}", name,
                                  has_checkpoint ? "give a later --until to continue it"
-                                 : later_end(given, record)
+                                 : has_later_end
                                      ? "it has no checkpoint for a later --until; "
                                        "run it again, with --keep-checkpoint to continue it afterwards"
                                      : "nothing is left to do"));
@@ -158,7 +160,7 @@ RunPlan resume_plan(const fs::path& path, const RunOptions& options) {
   const RunFolder folder(path);
   const std::optional<StoredRecord> record = checked_record(folder.record());
   check_something_is_left(folder, record, given);
-  const std::optional<double> later = later_end(given, record);
+  const std::optional<double> later = later_end(given, folder, *record);
   if (later) std::erase_if(given.settings, [](const Setting& setting) { return setting.name == "until"; });
   std::optional<Checkpoint> checkpoint;
   if (std::error_code error; fs::exists(folder.checkpoint(), error))

@@ -200,10 +200,8 @@ void refuse_too_coarse(double asked, double fitted, const TomlValue& tree, const
   throw SceneError(source.file, place.line, place.column, "spacing", what);
 }
 
-}  // namespace
-
-SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
-  const std::string text = file_text(path);
+SceneFile read_text(const std::string& text, const std::filesystem::path& path,
+                    const std::vector<Setting>& settings) {
   TomlSource source;
   source.file = path.string();
   const TomlValue tree = parse_toml(text, source.file);
@@ -227,6 +225,16 @@ SceneFile read_scene(const std::filesystem::path& path, const std::vector<Settin
   throw SceneError(source.file, place.line, place.column, "spacing",
                    "no spacing divides the first body into whole particles, because its size depends on dp; "
                    "remove dp from its size");
+}
+
+}  // namespace
+
+SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
+  return read_text(file_text(path), path, settings);
+}
+
+SceneFile with_settings(const SceneFile& file, const std::vector<Setting>& settings) {
+  return read_text(file.text, file.path, settings);
 }
 
 SceneError locate(const SceneFile& scene, const SceneError& error) {

@@ -11,6 +11,7 @@
 #include "cli/run/folder.hpp"
 #include "cli/run/run.hpp"
 #include "cli/run/schedule.hpp"
+#include "cli/scene/reference_table.hpp"
 #include "cli/system/stopwatch.hpp"
 #include "cli/text/format.hpp"
 #include "engine/error.hpp"
@@ -39,11 +40,17 @@ std::string reason_against(const std::string& name, const SceneFile& file) {
   return "";
 }
 
+/// Scene in a saved state; independent of the spelling of the scene's path.
+std::string state_scene(const SceneFile& file) {
+  return resolved_text(file, std::filesystem::absolute(file.path).parent_path());
+}
+
 }  // namespace
 
 Session::Session(const RunOptions& options)
     : options_(options),
       file_(scene_to_run(options)),
+      file_checksum_(file_checksum(file_)),
       drawing_(with_options(file_.drawing, options.drawing)),
       simulation_(start_interruptible(file_)) {
   apply_scene(drawing_, file_);
@@ -94,13 +101,18 @@ std::vector<MeasureResult> Session::measures() const {
 void Session::set(const Setting& setting) {
   RunOptions options = options_;
   options.settings.push_back(setting);
-  SceneFile file = scene_to_run(options);
+  SceneFile file = scene_to_run(options, file_);
   if (const std::string reason = reason_against(setting.name, file_); !reason.empty())
     throw UsageError(
         fmt::format("'{}' cannot change during a session: {}; only cfl can, "
                     "and constants of the method that are not fixed at the start. "
                     "Start another session with --set {}",
                     setting.name, reason, text_of(setting)));
+  if (file_checksum(file) != file_checksum_)
+    throw UsageError(
+        fmt::format("a table or shape that '{}' names has changed since the session started; "
+                    "restore it, or start another session",
+                    file_.path.string()));
   std::unique_ptr<Simulation> simulation = start_interruptible(file);
   simulation->load(simulation_->save());
   simulation_ = std::move(simulation);
@@ -166,7 +178,7 @@ render::Image Session::picture(const Drawing& drawing) const {
 void Session::save(const std::filesystem::path& file) const {
   Checkpoint checkpoint;
   checkpoint.method = file_.settings.method;
-  checkpoint.scene = resolved_text(file_, file_.path.parent_path());
+  checkpoint.scene = state_scene(file_);
   checkpoint.state = simulation_->save();
   const auto lock = lock_around(file, "taut session");
   write_checkpoint(file, std::move(checkpoint));
@@ -177,7 +189,7 @@ void Session::load(const std::filesystem::path& path) {
   if (checkpoint.method != file_.settings.method)
     throw UsageError(fmt::format("'{}' has method '{}', but this session has '{}'", path.string(),
                                  checkpoint.method, file_.settings.method));
-  if (without_drawing(checkpoint.scene) != without_drawing(resolved_text(file_, file_.path.parent_path())))
+  if (without_drawing(checkpoint.scene) != without_drawing(state_scene(file_)))
     throw UsageError(
         fmt::format("'{}' is from another scene, or has other parameters or constants", path.string()));
   std::unique_ptr<Simulation> simulation = start_interruptible(file_);

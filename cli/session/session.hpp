@@ -65,6 +65,7 @@ class Session {
 
   RunOptions options_;
   SceneFile file_;
+  std::string file_checksum_;
   Drawing drawing_;
   std::optional<render::View> window_;  // after pan or zoom in 3D
   std::unique_ptr<Simulation> simulation_;

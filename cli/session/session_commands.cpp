@@ -15,6 +15,7 @@
 #include "cli/study/history_plot.hpp"
 #include "cli/text/checks.hpp"
 #include "cli/text/format.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/text/suggest.hpp"
 #include "engine/error.hpp"
 
@@ -330,6 +331,22 @@ std::vector<SessionCommand> make_commands() {
   return all;
 }
 
+/// Words of a line, empty for a comment. Throws UsageError for an open quote.
+Words split(const std::string& line) {
+  std::istringstream text(line);
+  Words words;
+  while (!(text >> std::ws).eof()) {
+    const std::string rest = line.substr(static_cast<std::size_t>(text.tellg()));
+    if (words.empty() && rest.starts_with('#')) return {};
+    if (std::string word; text >> std::quoted(word))
+      words.push_back(word);
+    else
+      throw UsageError(
+          fmt::format("the quote is not closed in '{}'; end the text with a quote", shown(rest)));
+  }
+  return words;
+}
+
 }  // namespace
 
 std::span<const SessionCommand> session_commands() {
@@ -338,10 +355,8 @@ std::span<const SessionCommand> session_commands() {
 }
 
 bool run_session_line(Session& session, const std::string& line, const Dialogue& to) {
-  std::istringstream text(line);
-  Words words;
-  for (std::string word; text >> std::quoted(word);) words.push_back(word);
-  if (words.empty() || words[0].starts_with('#')) return true;
+  Words words = split(line);
+  if (words.empty()) return true;
   const SessionCommand& command = find_command(words[0]);
   words.erase(words.begin());
   command.run(session, words, to);

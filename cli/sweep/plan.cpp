@@ -79,10 +79,15 @@ const Setting* invalid_setting(const SweepRequest& request, const GridRow& row) 
   throw SceneError(request.file.string(), place.line, place.column, setting ? setting->name : "", message);
 }
 
-/// Particles × steps, in arbitrary units.
+/// Particles × steps, up to a factor of the method. Overlaps and cut-outs of shapes count as particles.
 double work_of(const SceneFile& file) {
   const Scene& scene = file.scene;
-  return scene.until / (file.settings.cfl * std::pow(scene.spacing, scene.dim + 1));
+  double volume = 0, speed = 0;  // m^dim, m/s
+  for (const Body& body : scene.bodies)
+    for (const Shape& shape : body.shapes) volume += shape->measure(scene.dim);
+  for (const Material& material : scene.materials) speed = std::max(speed, material.sound_speed());
+  const double particles = std::max(1.0, volume / std::pow(scene.spacing, scene.dim));
+  return particles * scene.until * speed / (file.settings.cfl * scene.spacing);
 }
 
 /// Throws UsageError for names both fixed and swept.

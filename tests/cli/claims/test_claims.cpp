@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "cli/claims/claim_file.hpp"
+#include "cli/claims/claim_tables.hpp"
 #include "cli/claims/criterion.hpp"
 #include "engine/error.hpp"
 #include "tests/support/program_runner.hpp"
@@ -74,6 +74,19 @@ TEST_SUITE("cli") {
     const Outcome wrong = run_claim(folder, lines);
     CHECK(wrong.code == 1);
     CHECK(contains(wrong.out, "no result: slow: unknown measure or number of run.json 'touch_tim'"));
+  }
+
+  TEST_CASE("claims: a report ends with the values, or without values with the reason") {
+    Claim claim;
+    claim.paper = "Nobody1999", claim.key = "fig-1";
+    ClaimOutcome outcome{&claim};
+    outcome.problem = "slow: the run is not finished";
+    const auto text = [&] { return claims_report({outcome}).cases.at(0).text; };
+    CHECK(
+        text() ==
+        "Nobody1999.fig-1: recorded state 'holds', state found here: no result: slow: the run is not finished");
+    outcome.values = {{"slow.verdict", "stable"}};
+    CHECK(text().ends_with("no result: slow: the run is not finished (slow.verdict stable)"));
   }
 
   TEST_CASE("claims: text, JSON and Markdown contain the recorded states, and text the commands") {

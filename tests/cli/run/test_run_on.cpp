@@ -112,6 +112,26 @@ TEST_SUITE("restart") {
     check({"--until", "0.004"}, "it has no checkpoint");
   }
 
+  TEST_CASE("the later end of a continued run is a number or an expression, as for a new run") {
+    const TemporaryFolder folder;
+    const auto continued = [&](const std::string& until) {
+      return call(resumed(folder, {"--until", until}));
+    };
+    REQUIRE(call(tiny_run(folder, "out", {"--keep-checkpoint"})).code == 0);
+    CHECK(contains(continued("1/500").err, "give a later --until to continue it"));
+    CHECK(contains(continued("1/250*sped").err, "sped"));
+    CHECK(contains(continued("1/0").err, "until = '1/0' is inf; it must be a finite number"));
+    const Outcome first = continued("1/250");
+    CHECK_MESSAGE(first.code == 0, first.err);
+    CHECK(json_of(folder / "out/run.json")["until"] == 0.004);
+    auto record = json_of(folder / "out/run.json");
+    record["status"] = "interrupted";
+    std::ofstream(folder / "out/run.json") << record.dump(2);
+    const Outcome second = continued("0.0025*speed");
+    CHECK_MESSAGE(second.code == 0, second.err);
+    CHECK(json_of(folder / "out/run.json")["until"] == 0.005);
+  }
+
   TEST_CASE("a run continues to the end of a drive and not past it") {
     const TemporaryFolder folder;
     Arguments start = tiny_run(folder, "out", {"--keep-checkpoint"});

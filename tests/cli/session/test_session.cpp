@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "cli/run/checkpoint.hpp"
+#include "cli/session/session.hpp"
 #include "cli/text/format.hpp"
 #include "tests/support/program_runner.hpp"
 
@@ -23,6 +24,28 @@ Outcome session(const TemporaryFolder& folder, const std::string& script,
   const Outcome outcome = call(arguments);
   std::cin.rdbuf(before);
   return outcome;
+}
+
+Session session_of(const std::string& scene) {
+  RunOptions options;
+  options.scene = scene;
+  options.threads = 1;
+  return Session(options);
+}
+
+void write_scene_with_table(const TemporaryFolder& folder) {
+  std::ofstream(folder / "gap.csv") << "t,gap\n0,0.002\n0.002,0\n";
+  std::ofstream(write_tiny_scene(folder), std::ios::app) << R"(
+[[measure]]
+name = "gap_rmse"
+of = "rmse"
+probe = "gap"
+unit = "m"
+[[reference]]
+law = "2d_deviator"
+name = "made up"
+tables = { gap_rmse = { file = "gap.csv", column = "gap" } }
+)";
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -105,6 +128,25 @@ TEST_SUITE("cli") {
     CHECK(contains(session(folder, "load " + file, {"--set", "speed=3"}).out, "other parameters"));
   }
 
+  TEST_CASE("a state of a scene that names a file can be loaded under each spelling of the scene's path") {
+    const TemporaryFolder folder;
+    write_scene_with_table(folder);
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    for (const std::string& saver : {std::string("discs.toml"), folder.str("discs.toml")}) {
+      session_of(saver).save("state.bin");
+      CHECK(contains(read_checkpoint("state.bin").scene, "file = \"gap.csv\""));
+      for (const std::string& loader :
+           {std::string("discs.toml"), std::string("./discs.toml"),
+            "../" + folder.path().filename().string() + "/discs.toml", folder.str("discs.toml")}) {
+        CAPTURE(saver);
+        CAPTURE(loader);
+        CHECK_NOTHROW(session_of(loader).load("state.bin"));
+      }
+    }
+    fs::current_path(before);
+  }
+
   TEST_CASE("a refused saved state leaves the session unchanged") {
     const TemporaryFolder folder;
     const std::string file = folder.str("state.bin");
@@ -137,6 +179,58 @@ TEST_SUITE("cli") {
       CHECK(contains(session(folder, std::string("set ") + name).out, "cannot change during a session"));
     }
     CHECK(contains(session(folder, "set method.zeta=-1e9").out, "error: "));
+  }
+
+  TEST_CASE("set changes only its setting, even if the scene file was edited or removed meanwhile") {
+    const TemporaryFolder folder;
+    const std::string scene = write_tiny_scene(folder);
+    Session session = session_of(scene);
+    std::string edited = text_of(scene);
+    edited.replace(edited.find("1e6"), 3, "1e4");
+    std::ofstream(scene) << edited;
+    session.set({"cfl", "0.1"});
+    CHECK(session.file().settings.cfl == 0.1);
+    CHECK(session.file().scene.materials[0].youngs_modulus == 1e6);
+    fs::remove(scene);
+    CHECK_NOTHROW(session.set({"cfl", "speed/10"}));
+    CHECK(session.file().settings.cfl == 0.2);
+  }
+
+  TEST_CASE("set works in a session whose scene was read from a pipe") {
+    const TemporaryFolder folder;
+    const std::string scene = write_tiny_scene(folder);
+    const std::string command = "cat " + scene +
+                                " | { printf 'set cfl=0.1\n' | " TAUT_BINARY_DIR
+                                "/taut session /dev/fd/3 --threads 1; } 3<&0 >" +
+                                folder.str("out") + " 2>&1";
+    CHECK(std::system(command.c_str()) == 0);
+    CHECK(text_of(folder / "out") == "cfl=0.1\nok\n");
+  }
+
+  TEST_CASE("set is refused after a file that the scene names has changed") {
+    const TemporaryFolder folder;
+    write_scene_with_table(folder);
+    Session session = session_of(folder.str("discs.toml"));
+    CHECK_NOTHROW(session.set({"cfl", "0.1"}));
+    std::ofstream(folder / "gap.csv") << "t,gap\n0,0.003\n0.002,0\n";
+    CHECK_THROWS_WITH_AS(session.set({"cfl", "0.2"}),
+                         doctest::Contains("has changed since the session started"), taut::UsageError);
+    CHECK(session.file().settings.cfl == 0.1);
+  }
+
+  TEST_CASE("a quote that is not closed gives an error, and the command is not executed") {
+    const TemporaryFolder folder;
+    for (const std::string wrong :
+         {"title Rings \"m/s", "title \"Rings", "title \"Rings\\\"", "\"step", "step \""}) {
+      CAPTURE(wrong);
+      const std::string out = session(folder, wrong + "\ninfo\n").out;
+      CHECK(contains(lines(out)[0], "error: the quote is not closed in '\""));
+      CHECK(contains(out, "\nstep=0\n"));
+      CHECK_FALSE(contains(out, "Rings\n"));
+    }
+    CHECK(session(folder, "title \"Rings \\\"m/s\"  \n").out == "title=Rings \"m/s\nok\n");
+    CHECK(session(folder, "title 5\"\n").out == "title=5\"\nok\n");
+    CHECK(session(folder, "  # \"remark\n \n").out.find("error") == std::string::npos);
   }
 
   TEST_CASE("a wrong line gives an error, and ends the session only with --strict") {

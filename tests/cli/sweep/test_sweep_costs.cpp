@@ -4,6 +4,7 @@
 #include "cli/study/chart_tables.hpp"
 #include "cli/sweep/results.hpp"
 #include "cli/system/machine.hpp"
+#include "tests/support/relative.hpp"
 #include "tests/support/results_file.hpp"
 #include "tests/support/sweep_folder.hpp"
 
@@ -18,6 +19,18 @@ SweepRun run_of_cost(double cpu) {
   run.record.emplace();
   run.record->seconds = {.setup = 0, .solve = 10 * cpu, .render = 0, .write = 0, .cpu = cpu};
   return run;
+}
+
+/// The keys of two balls, or of two discs in 2D, whose shape has the keys `size`.
+std::string pair_scene(int dim, const std::string& shape, const std::string& size,
+                       const std::string& modulus) {
+  std::string text =
+      "source = 'none'\nspacing = 0.001\nuntil = 2e-4\nmethod = 'enog'\ndim = " + std::to_string(dim) +
+      "\n[material.rubber]\ndensity = 1000\npoisson_ratio = 0.4\nyoungs_modulus = " + modulus + "\n";
+  for (const std::string side : {"-", ""})
+    text += "[[body]]\nname = 'body" + side + "'\nmaterial = 'rubber'\nshape = { type = '" + shape +
+            "', centre = [" + side + "0.1, 0" + (dim == 3 ? ", 0" : "") + "], " + size + " }\n";
+  return text;
 }
 
 std::string costs(const TemporaryFolder& folder, const std::string& rows) {
@@ -47,6 +60,32 @@ TEST_SUITE("cli") {
     CHECK(row.find("seconds")->find("solve")->number() == 20);
     CHECK(row.find("repeated")->find("runs")->number() == 3);
     CHECK_FALSE(SweepRun{}.cost());
+  }
+
+  TEST_CASE("the expected work of a run is proportional to particles times steps, also in other scenes") {
+    const TemporaryFolder folder;
+    double first = 0;
+    for (const std::string& scene :
+         {pair_scene(2, "disc", "radius = 0.01", "1e6"), pair_scene(2, "disc", "radius = 0.03", "1e6"),
+          pair_scene(2, "ring", "inner = 0.01, outer = 0.012", "1e8"),
+          pair_scene(3, "ball", "radius = 0.006", "1e7")}) {
+      CAPTURE(scene);
+      std::ofstream(folder / "pair.toml") << scene;
+      SweepRequest request;
+      request.base.scene = folder.str("pair.toml");
+      request.base.no_render = true;
+      request.base.threads = 1;
+      request.rows = {{{"cfl", "0.25"}}};
+      request.folder = folder / "plan";
+      const double work = plan_sweep(request).runs.at(0).work;
+      REQUIRE(call({"run", folder.str("pair.toml"), "--set", "cfl=0.25", "--no-render", "--threads", "1",
+                    "--quiet", "--out", folder.str("out")})
+                  .code == 0);
+      const auto record = json_of(folder / "out/run.json");
+      const double ratio = work / (record["particles"].get<double>() * record["steps"].get<double>());
+      if (first == 0) first = ratio;
+      CHECK(ratio == relative(first, 0.2));
+    }
   }
 
   TEST_CASE("a sweep repeats each run and prints the median cost") {
