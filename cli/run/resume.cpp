@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/core.h>
 
@@ -18,9 +19,11 @@ namespace {
 
 std::optional<double> later_end(const RunOptions& given, const RunFolder& folder,
                                 const StoredRecord& record) {
-  const auto until = std::ranges::find(given.settings, "until", &Setting::name);
-  if (until == given.settings.end()) return std::nullopt;
-  const double time = read_scene(folder.scene(), {*until}).scene.until;
+  std::vector<Setting> until;
+  std::ranges::copy_if(given.settings, std::back_inserter(until),
+                       [](const Setting& setting) { return setting.name == "until"; });
+  if (until.empty()) return std::nullopt;
+  const double time = read_scene(folder.scene(), until).scene.until;
   return time > record.until ? std::optional(time) : std::nullopt;
 }
 
@@ -116,7 +119,7 @@ std::string first_conflict(const RunOptions& given, const RunOptions& stored, co
              : "";
 }
 
-/// Bonds and loads at the start depend on which drives end before the run.
+/// Bonds and loads at the start depend on which drives end before the end of the run.
 void check_same_drives(const Scene& scene, const Scene& longer) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     for (std::size_t k = 0; k < scene.bodies[b].drives.size(); ++k) {
@@ -124,7 +127,7 @@ void check_same_drives(const Scene& scene, const Scene& longer) {
       if (ends_before_run(drive, scene) != ends_before_run(longer.bodies[b].drives[k], longer))
         throw UsageError(
             fmt::format("the run cannot continue past {} s, where a drive of body '{}' ends; "
-                        "name at most this time, or start again with --until {}",
+                        "give at most this time, or start again with --until {}",
                         exact(*drive.until), scene.bodies[b].name, exact(longer.until)));
     }
 }

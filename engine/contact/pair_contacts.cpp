@@ -113,6 +113,8 @@ auto PairContacts<Dim>::of_wall(const Particles<Dim>& s, int a, int wall,
   return sum * walls.normal(wall);
 }
 
+namespace {
+
 /// Inverse mass along the unit vector e; `inverse` is 0 along fixed axes and equal along the others.
 template <int Dim>
 double along(const Vec<double, Dim>& inverse, const Vec<double, Dim>& e) {
@@ -124,6 +126,8 @@ double along(const Vec<double, Dim>& inverse, const Vec<double, Dim>& e) {
   }
   return free > round_off ? free * most : 0;
 }
+
+}  // namespace
 
 template <int Dim>
 void PairContacts<Dim>::stop_approach(const Particles<Dim>& s, double gone, WallContacts<Dim>& walls,

@@ -12,7 +12,7 @@ namespace taut {
 struct LineSample {
   double time = 0;            // s
   long step = 0;              // ends at or after the requested time
-  std::vector<double> value;  // [point]; NaN more than a spacing outside the body
+  std::vector<double> value;  // [point]; NaN if too few particles are within reach
 
   template <class Archive>
   void serialize(Archive& archive) {

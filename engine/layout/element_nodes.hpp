@@ -18,8 +18,8 @@ InitialParticles make_element_nodes(const Scene& scene);
 std::vector<double> load_weights(const Load& load, const Scene& scene, const InitialParticles& initial,
                                  int index);
 
-/// Share of each held node in a region: of the cells that are held as a whole, those whose middle is in it; of other
-/// nodes, 1 if the node is in it.
+/// Share of each held node in a region: the fraction of its fully held cells whose middle is in the region. Without
+/// such cells, 1 if the node is in the region.
 std::vector<double> shares_in_region(const Expression& where, const InitialParticles& initial,
                                      const std::vector<unsigned char>& held);
 

@@ -21,7 +21,7 @@ run() {
     echo "$1" >&2
     # shellcheck disable=SC2086  # options without blanks
     "$taut" ${1#taut } --no-render --quiet --out "$folder" >/dev/null 2>"$runs/said" || case $? in
-      2) mkdir "$folder" ;;  # refused: a dash in the table
+      2) cat "$runs/said" >&2; mkdir "$folder" ;;  # refused: a dash in the table
       3) ;;                  # diverged
       *) cat "$runs/said" >&2; exit 1 ;;
     esac
@@ -55,8 +55,10 @@ cell() {
     /^    "[^"]*": \{/ { inside = key }
     /^      "/ { of[inside, key] = text }
     END {
-      for (n = split(quantities, q, ","); ++k <= n;) printf "%s%s", (k > 1 ? ", " : ""), shown(q[k])
-      print ""
+      n = split(quantities, q, ",")
+      line = shown(q[1])
+      for (k = 2; k <= n && line != "-"; ++k) line = line ", " shown(q[k])
+      print line
     }' "$1/run.json"
 }
 
@@ -72,13 +74,14 @@ every() {
 
 # table ROW ...: prints a table; ROW is a method with options
 table() {
-  local row column rest line
+  local row column rest folder line
   printf '\n| |'; printf ' %s |' "${columns[@]%%|*}"; printf '\n|---|'; printf -- '---|%.0s' "${columns[@]}"; echo
   for row; do
     line="| \`$row\` |"
     for column in "${columns[@]}"; do
       rest=${column#*|}
-      line+=" $(cell "$(run "taut run ${rest#*|} --method $row")" "${rest%%|*}") |"
+      folder=$(run "taut run ${rest#*|} --method $row")
+      line+=" $(cell "$folder" "${rest%%|*}") |"
     done
     echo "$line"
   done
@@ -96,7 +99,7 @@ pages() {
   echo "# Scenes of the papers: results of several methods"
   echo
   echo "Made by \`paper-tables.sh\`; do not edit. A row is \`taut run SCENE --method ROW\`, with the scene of the heading, or the"
-  echo "scene and options that the text states. Percentages are differences from the reference of the scene for the law of the"
+  echo "scene and options that the text states. Percentages of measures are differences from the reference of the scene for the law of the"
   echo "method, positive if the value is greater; of \`rmse\` measures they are the value. Zigzag: greatest \`hourglass_error\`;"
   echo "alternating: greatest part of the pressure that alternates between particles; \`alternating_last\`: at the end. A dash:"
   echo "the run diverged, the measure has no value, or the method refuses the scene."
@@ -132,7 +135,7 @@ pages() {
   fi
   if section beam-bending "\`--set force=F\`: deflection, by F in N/m."; then
     for force in 25 50 75 100 150 250; do column $force deflection_y,deflection_y% beam-bending --set force=$force; done
-    table icb 'ccbwat --spacing 0.002'
+    table icb 'ccbwat --spacing 0.002 --until 0.4'
   fi
   if section truss "\`--set force=F\`: extension, by F in N/m."; then
     for force in 1000 3000 5000 7000 -3000 -7000; do column $force extension,extension% truss --set force=$force; done
@@ -150,15 +153,16 @@ pages() {
     table pf-jst pfj-jst
   fi
   if section square-cantilever "Error of the periods of bending and torsion (\`--set torsion=1\`), by particles across."; then
-    for across in 3 5 8 10; do
-      column "bending, $across" period% square-cantilever --spacing side/$across
-      column "torsion, $across" period% square-cantilever --spacing side/$across --set torsion=1
-    done
+    across() {
+      local n
+      for n; do
+        column "bending, $n" period% square-cantilever --spacing side/$n
+        column "torsion, $n" period% square-cantilever --spacing side/$n --set torsion=1
+      done
+    }
+    across 3 5 8 10
     table 'oenog --set method.damping=0'
-    for across in 3 5; do
-      column "bending, $across" period% square-cantilever --spacing side/$across
-      column "torsion, $across" period% square-cantilever --spacing side/$across --set torsion=1
-    done
+    across 3 5
     table tl enog
   fi
   if section oscillating-plate-3d "Error of the period, by mode (M, N): \`--set m=M --set n=N\`."; then
@@ -176,7 +180,7 @@ pages() {
   if section ul-3d "Error of the bending period of \`square-cantilever\`, of the period of \`oscillating-plate-3d --set side=0.2 --until 0.025\`, and rebound of \`colliding-balls --spacing 0.0025\`."; then
     column cantilever period% square-cantilever
     column plate period% oscillating-plate-3d --set side=0.2 --until 0.025
-    column balls rebound_ratio,verdict colliding-balls --spacing 0.0025
+    column balls verdict,rebound_ratio colliding-balls --spacing 0.0025
     table ulsph-av-as-uncorrected ulsph-av-as d-ulsph-av-as d-ulsph-av-tic d-ulsph-r-as ulsph-r-tic d-ulsph-r-tic ccb ccbwat icb
   fi
   if section cable-3d; then
@@ -219,6 +223,7 @@ pages() {
 }
 
 pages >"$runs/page"
+grep -q '^|' "$runs/page" || { echo "$0: no section is named ${sections[*]}; its script lists them" >&2; exit 2; }
 mkdir -p "$(dirname "$to")"
 mv "$runs/page" "$to"
 echo "$to"

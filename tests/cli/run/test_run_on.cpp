@@ -146,7 +146,7 @@ TEST_SUITE("restart") {
     CHECK(refused.code == 2);
     CHECK(contains(refused.err,
                    "the run cannot continue past 0.003 s, where a drive of body 'left' ends; "
-                   "name at most this time, or start again with --until 0.004"));
+                   "give at most this time, or start again with --until 0.004"));
     CHECK(text_of(folder / "out/history.csv") == history);
   }
 }

@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-constexpr double round_off = 1e-9;  // a body of one material has the sum of its cells
+constexpr double round_off = 1e-9;  // the end correction keeps the mass of a body of one material
 
 /// Returns −1 if the bond is not stored.
 int find_bond(const Bonds& bonds, int from, int to) {
@@ -20,11 +20,11 @@ int find_bond(const Bonds& bonds, int from, int to) {
 /// Masses, kg (THEORY.md, Volumes and masses).
 std::vector<double> masses(const InitialParticles& initial, const std::vector<Elasticity>& materials,
                            const Bonds& bonds) {
-  struct Part {
+  struct Volumes {
     double cells = 0, corrected = 0;  // m³
   };
-  std::map<std::pair<int, int>, Part> parts;  // by body and material
-  const auto part_of = [&](int i) -> Part& { return parts[{initial.body[i], initial.material[i]}]; };
+  std::map<std::pair<int, int>, Volumes> parts;  // by body and material
+  const auto part_of = [&](int i) -> Volumes& { return parts[{initial.body[i], initial.material[i]}]; };
   for (int i = 0; i < initial.size(); ++i)
     part_of(i).cells += initial.V0[i], part_of(i).corrected += bonds.mass[i];
   std::vector<double> mass;
