@@ -72,7 +72,7 @@ struct SceneFile {
 
 /// The last setting of a name counts. Throws SceneError for the file, UsageError for settings.
 SceneFile read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
-/// Applies only these settings to the text in `file`, without reading its path again; tables and shape files are read again.
+/// Applies only these settings to the text in `file`. Reads tables and shape files again.
 SceneFile with_settings(const SceneFile& file, const std::vector<Setting>& settings);
 /// Names for --set and --grid.
 std::vector<std::string> names_to_set(const SceneFile& scene);
