@@ -336,8 +336,8 @@ void choose_face(std::vector<LoadedFacet>& facets, const Load& load, const Body&
              return is_chosen(other) && other.cell == f.cell;
            });
   };
-  if (rank == 0 && (std::ranges::count(across, most) > 1 || std::ranges::any_of(facets, is_of_other_face)))
-    refuse_edge(body);
+  const bool ties = std::ranges::count(across, most) > 1;
+  if (rank == 0 && (ties || std::ranges::any_of(facets, is_of_other_face))) refuse_edge(body);
   std::erase_if(facets, [&](const LoadedFacet& f) { return !is_chosen(f); });
   double layers = 0;
   for (LoadedFacet& f : facets) {
@@ -345,6 +345,7 @@ void choose_face(std::vector<LoadedFacet>& facets, const Load& load, const Body&
     if (rank == 1 && f.rank() == 1) f.share = 0.5;
   }
   refuse_deep_traction(load, body, layers);
+  if (rank == 3 && ties) refuse_edge(body);
 }
 
 }  // namespace

@@ -263,6 +263,8 @@ TEST_SUITE("unit") {
       const Traction thick(scene_of(2, order, {Box{{0, 0, 0}, {1, 0.2, 0}}}), strip);
       CHECK(thick.whole() == relative(0.8));
       CHECK(thick.area_in(above(1, 0.199)) == relative(0.4));
+      const Scene square = scene_of(3, order, {Box{{0, 0, 0}, {1, 0.2, 0.2}}});
+      CHECK_THROWS_WITH_AS(Traction(square, strip), doctest::Contains("meet at an edge"), SceneError);
       const Traction ring(scene_of(2, order, {Ring{{}, 0.5, 0.6}}), constant(1));
       CHECK(ring.whole() == relative(pi * 1.1, 0.01));
       CHECK(ring.area_in([](const Point& x) { return std::hypot(x[0], x[1]) < 0.501 ? 1.0 : 0.0; }) ==
