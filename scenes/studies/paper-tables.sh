@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the scenes of the papers with several methods, and compares the results in tables.
 #
-#     scenes/studies/paper-tables.sh                    # all, into results/paper-tables.md; ten minutes of CPU time
+#     scenes/studies/paper-tables.sh                    # all, into results/paper-tables.md; some minutes
 #     scenes/studies/paper-tables.sh FILE SECTION ...   # some sections, such as punch, into FILE
 #
 # Uses build/taut, or the program in TAUT.
@@ -98,11 +98,11 @@ section() {
 pages() {
   echo "# Scenes of the papers: results of several methods"
   echo
-  echo "Made by \`paper-tables.sh\`; do not edit. A row is \`taut run SCENE --method ROW\`, with the scene of the heading, or the"
-  echo "scene and options that the text states. Percentages of measures are differences from the reference of the scene for the law of the"
-  echo "method, positive if the value is greater; of \`rmse\` measures they are the value. Zigzag: greatest \`hourglass_error\`;"
-  echo "alternating: greatest part of the pressure that alternates between particles; \`alternating_last\`: at the end. A dash:"
-  echo "the run diverged, the measure has no value, or the method refuses the scene."
+  echo "Made by \`paper-tables.sh\`; do not edit. A row is \`taut run SCENE --method ROW\`, with the scene of the heading, or"
+  echo "the scene and options that the text states. Percentages of measures are differences from the reference of the scene"
+  echo "for the law of the method, positive if the value is greater; of \`rmse\` measures they are the value. Zigzag:"
+  echo "greatest \`hourglass_error\`; alternating: greatest part of the pressure that alternates between particles;"
+  echo "\`alternating_last\`: at the end. A dash: the run diverged, the measure has no value, or the method refuses the scene."
 
   if section colliding-rings; then
     every colliding-rings verdict rebound_ratio,rebound_ratio% least_diameter,least_diameter%
@@ -130,7 +130,9 @@ pages() {
       for rows in 5 10; do column "\`vf=$vf\`, $rows" period% oscillating-plate --set vf=$vf --spacing H/$rows; done
     done
     local settings=()
-    for zeta in 3.5 4; do settings+=("enog --set method.zeta=$zeta" "enog --set method.zeta=$zeta --set method.cubic_spline=1"); done
+    for zeta in 3.5 4; do
+      settings+=("enog --set method.zeta=$zeta" "enog --set method.zeta=$zeta --set method.cubic_spline=1")
+    done
     table "${settings[@]}"
   fi
   if section beam-bending "\`--set force=F\`: deflection, by F in N/m."; then
@@ -166,22 +168,10 @@ pages() {
     table tl enog
   fi
   if section oscillating-plate-3d "Error of the period, by mode (M, N): \`--set m=M --set n=N\`."; then
-    for mode in '1 1' '2 1' '2 2'; do column "(${mode/ /, })" period% oscillating-plate-3d --set m=${mode% *} --set n=${mode#* }; done
-    table oenog 'oenog --spacing 0.002'
-  fi
-  if section colliding-balls; then
-    every colliding-balls verdict diameter_rmse% speed_rmse% separation_time% rebound_ratio% least_pole_distance% least_diameter%
-    table 'oenog --spacing 0.005' 'oenog --spacing 0.0025'
-  fi
-  if section ball-plate-3d; then
-    every ball-plate-3d verdict deflection% ball_lowest% rebound_ratio% deflection_rmse% speed_rmse%
-    table oenog 'oenog --spacing 0.0025' enog
-  fi
-  if section ul-3d "Error of the bending period of \`square-cantilever\`, of the period of \`oscillating-plate-3d --set side=0.2 --until 0.025\`, and rebound of \`colliding-balls --spacing 0.0025\`."; then
-    column cantilever period% square-cantilever
-    column plate period% oscillating-plate-3d --set side=0.2 --until 0.025
-    column balls verdict,rebound_ratio colliding-balls --spacing 0.0025
-    table ulsph-av-as-uncorrected ulsph-av-as d-ulsph-av-as d-ulsph-av-tic d-ulsph-r-as ulsph-r-tic d-ulsph-r-tic ccb ccbwat icb
+    for mode in '1 1' '2 1' '2 2'; do
+      column "(${mode/ /, })" period% oscillating-plate-3d --set m=${mode% *} --set n=${mode#* }
+    done
+    table oenog
   fi
   if section cable-3d; then
     every cable-3d end_rmse overshoot stress_error
