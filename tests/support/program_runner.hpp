@@ -80,6 +80,22 @@ frames = 4
   return folder.str("discs.toml");
 }
 
+/// Measure of the tiny scene with a reference in a table with the columns t and gap.
+inline std::string reference_of_gap(const std::string& table) {
+  return R"(
+[[measure]]
+name = "gap_rmse"
+of = "rmse"
+probe = "gap"
+unit = "m"
+[[reference]]
+law = "2d_deviator"
+name = "made up"
+tables = { gap_rmse = { file = ")" +
+         table + R"(", column = "gap" } }
+)";
+}
+
 inline std::vector<std::string> tiny_run(const TemporaryFolder& folder, const std::string& out,
                                          const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{

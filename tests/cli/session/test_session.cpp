@@ -35,17 +35,7 @@ Session session_of(const std::string& scene) {
 
 void write_scene_with_table(const TemporaryFolder& folder) {
   std::ofstream(folder / "gap.csv") << "t,gap\n0,0.002\n0.002,0\n";
-  std::ofstream(write_tiny_scene(folder), std::ios::app) << R"(
-[[measure]]
-name = "gap_rmse"
-of = "rmse"
-probe = "gap"
-unit = "m"
-[[reference]]
-law = "2d_deviator"
-name = "made up"
-tables = { gap_rmse = { file = "gap.csv", column = "gap" } }
-)";
+  std::ofstream(write_tiny_scene(folder), std::ios::app) << reference_of_gap("gap.csv");
 }
 
 std::vector<std::string> lines(const std::string& text) {

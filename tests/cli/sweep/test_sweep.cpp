@@ -172,17 +172,8 @@ TEST_SUITE("cli") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "here/tables");
     std::ofstream(folder / "here/tables/gap.csv") << "t,gap\n0,0.002\n0.002,0\n";
-    std::ofstream(folder / "here/discs.toml") << text_of(write_tiny_scene(folder)) << R"(
-[[measure]]
-name = "gap_rmse"
-of = "rmse"
-probe = "gap"
-unit = "m"
-[[reference]]
-law = "2d_deviator"
-name = "made up"
-tables = { gap_rmse = { file = "tables/gap.csv", column = "gap" } }
-)";
+    std::ofstream(folder / "here/discs.toml")
+        << text_of(write_tiny_scene(folder)) << reference_of_gap("tables/gap.csv");
     const auto sweep = [&](const std::string& place) {
       const Outcome outcome = program({"sweep", folder.str(place + "/discs.toml"), "--grid", "speed=1,2",
                                        "--out", folder.str(place + "/out"), "--quiet"});

@@ -27,16 +27,7 @@ Texts sweep_with_files(const TemporaryFolder& folder, const Texts& more) {
 name = "block"
 shape = { type = "particles", file = "block.csv" }
 material = "rubber"
-[[measure]]
-name = "gap_rmse"
-of = "rmse"
-probe = "gap"
-unit = "m"
-[[reference]]
-law = "2d_deviator"
-name = "made up"
-tables = { gap_rmse = { file = "gap.csv", column = "gap" } }
-)";
+)" << reference_of_gap("gap.csv");
   write_table(folder, "0.002");
   write_block(folder, 0.05);
   Texts words{"sweep", folder.str("files.toml"), "--quiet"};
